@@ -1,0 +1,130 @@
+# Pantin. `make demo` and `make test` do everything on a fresh Debian 12, set-up included.
+#   config=release|debug|sanitize   objects and programs go to build/$(config)/
+#   GLPK=0 WEBP=0 GIF=0             build without that library;  STATIC=1  one static binary
+#   werror=1                        warnings are errors (CI);    CXX=clang++  another compiler
+
+config ?= release
+BUILD ?= build/$(config)
+PREFIX ?= /usr/local
+DESTDIR ?=
+INSTALL ?= install
+AR ?= ar
+VERSION := 0.1.0
+
+have = $(shell printf '\#include <stdio.h>\n\#include <$(1)>\n' | $(CXX) -E -x c++ - >/dev/null 2>&1 && echo 1)
+GLPK ?= $(call have,glpk.h)
+WEBP ?= $(call have,webp/mux.h)
+GIF ?= $(call have,gif_lib.h)
+
+# Determinism: no contraction of a*b+c, no fast-math, on any compiler (docs/determinism.md).
+CPPFLAGS += -Iinclude -Isrc -isystem /usr/include/eigen3 -DPANTIN_VERSION='"$(VERSION)"' \
+            -DEIGEN_DONT_VECTORIZE -DEIGEN_DONT_PARALLELIZE -DEIGEN_MPL2_ONLY
+CXXFLAGS += -std=c++20 -Wall -Wextra -ffp-contract=off -ffile-prefix-map=$(CURDIR)=. -pthread
+LDFLAGS += -pthread
+LDLIBS :=
+
+ifeq ($(config),release)
+  CXXFLAGS += -O2
+else ifeq ($(config),debug)
+  CXXFLAGS += -O0 -g
+else ifeq ($(config),sanitize)
+  CXXFLAGS += -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+  LDFLAGS += -fsanitize=address,undefined
+else
+  $(error config must be release, debug or sanitize, not '$(config)')
+endif
+ifeq ($(werror),1)
+  CXXFLAGS += -Werror
+endif
+ifeq ($(STATIC),1)
+  LDFLAGS += -static
+endif
+ifeq ($(GLPK),1)
+  CPPFLAGS += -DPANTIN_GLPK=1
+  LDLIBS += -lglpk
+  ifeq ($(STATIC),1)
+    LDLIBS += -lamd -lcolamd -lsuitesparseconfig -lgmp -lz -lltdl -ldl
+  endif
+endif
+ifeq ($(WEBP),1)
+  CPPFLAGS += -DPANTIN_WEBP=1
+  LDLIBS += -lwebpmux -lwebp
+endif
+ifeq ($(GIF),1)
+  CPPFLAGS += -DPANTIN_GIF=1
+  LDLIBS += -lgif
+endif
+
+SOURCES := $(sort $(wildcard src/*/*.cpp src/*/*/*.cpp))
+ifneq ($(GLPK),1)
+  SOURCES := $(filter-out src/identification/glpk/%,$(SOURCES))
+endif
+LIB_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out src/cli/main.cpp,$(SOURCES))) $(BUILD)/resources.o
+DOODLE_SOURCES := $(sort $(wildcard tools/doodle/*.cpp))
+DOODLE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out tools/doodle/main.cpp,$(DOODLE_SOURCES)))
+TEST_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tests/*.cpp tests/*/*.cpp)))
+BENCH_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/bench/*.cpp)))
+RESOURCES := $(sort $(wildcard weights/*.safetensors references/*.json))
+
+.PHONY: all demo demo-run test test-run sanitize bench install uninstall clean deps doodle check-gltf
+all: $(BUILD)/pantin
+
+# Set-up happens in a first make, so that the second one sees the libraries that were just installed.
+demo: deps
+	@$(MAKE) --no-print-directory demo-run
+test: deps
+	@$(MAKE) --no-print-directory test-run
+deps:
+	@tools/install_deps.sh
+
+demo-run: $(BUILD)/pantin
+	$(BUILD)/pantin animate testdata/demo.png -o out/demo
+
+test-run: $(BUILD)/tests $(BUILD)/pantin $(BUILD)/doodle
+	PANTIN=$(BUILD)/pantin DOODLE=$(BUILD)/doodle $(BUILD)/tests $(TEST_ARGS)
+
+sanitize:
+	@$(MAKE) --no-print-directory config=sanitize test
+
+bench: $(BUILD)/bench
+	$(BUILD)/bench
+
+doodle: $(BUILD)/doodle
+
+check-gltf: demo
+	tools/check_gltf.sh out/demo
+
+$(BUILD)/pantin: $(BUILD)/src/cli/main.o $(BUILD)/libpantin.a
+	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+$(BUILD)/libpantin.a: $(LIB_OBJECTS)
+	@rm -f $@
+	$(AR) rcsD $@ $^
+$(BUILD)/doodle: $(BUILD)/tools/doodle/main.o $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
+	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+$(BUILD)/tests: $(TEST_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
+	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+$(BUILD)/bench: $(BENCH_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
+	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+
+# Weights and references are compiled in, so that the program is one file that runs anywhere.
+$(BUILD)/resources.S: tools/embed.sh $(RESOURCES) Makefile
+	@mkdir -p $(@D)
+	tools/embed.sh $(RESOURCES) > $@.tmp && mv $@.tmp $@
+$(BUILD)/resources.o: $(BUILD)/resources.S
+	$(CXX) -c -o $@ $<
+
+$(BUILD)/%.o: %.cpp
+	@mkdir -p $(@D)
+	$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(FILE_FLAGS) -MMD -MP -c -o $@ $<
+-include $(patsubst %.o,%.d,$(LIB_OBJECTS) $(DOODLE_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS) $(BUILD)/src/cli/main.o $(BUILD)/tools/doodle/main.o)
+
+install: $(BUILD)/pantin
+	$(INSTALL) -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib $(DESTDIR)$(PREFIX)/include/pantin
+	$(INSTALL) -m 755 $(BUILD)/pantin $(DESTDIR)$(PREFIX)/bin/pantin
+	$(INSTALL) -m 644 $(BUILD)/libpantin.a $(DESTDIR)$(PREFIX)/lib/libpantin.a
+	$(INSTALL) -m 644 include/pantin/*.hpp $(DESTDIR)$(PREFIX)/include/pantin/
+uninstall:
+	rm -f $(DESTDIR)$(PREFIX)/bin/pantin $(DESTDIR)$(PREFIX)/lib/libpantin.a
+	rm -rf $(DESTDIR)$(PREFIX)/include/pantin
+clean:
+	rm -rf build out

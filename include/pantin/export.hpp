@@ -1,0 +1,25 @@
+// Files that other programs read: OBJ/MTL/weights.txt (thesis ch. 5), glTF 2.0, WebP, GIF, PNG frames.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pantin/animation.hpp"
+#include "pantin/rigging.hpp"
+
+namespace pantin {
+
+std::string to_obj(const Rig& rig, const std::string& mtl_file);
+std::string to_mtl(const std::string& texture_file);
+std::string to_weights_text(const Rig& rig); // "# pantin weights 1", DESIGN.md section 3
+// glTF 2.0 binary: one skinned mesh at the scene root, unlit textured material, one animation per clip.
+std::vector<unsigned char> to_glb(const Rig& rig, const RgbaImage& texture, const std::vector<BoneAnimation>& animations);
+
+// Frames with transparency. Delay of a GIF frame is a whole number of 1/100 s.
+std::vector<unsigned char> encode_webp(const std::vector<RgbaImage>& frames, double fps);
+std::vector<unsigned char> encode_gif(const std::vector<RgbaImage>& frames, double fps);
+bool webp_available();
+bool gif_available();
+
+} // namespace pantin

@@ -1,0 +1,60 @@
+// Points, polygons and the structures on them. Coordinates that decide topology are integers, so every sign is exact.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "pantin/grid.hpp"
+#include "pantin/point.hpp"
+
+namespace pantin {
+
+// --- exact predicates (|coordinate| < 2^24) ----------------------------------------------------------------
+
+// Sign of the signed area of (a, b, c): +1 when c lies to the left of a→b in a y-up frame.
+int orientation(Point2i a, Point2i b, Point2i c);
+// +1 when d lies inside the circumcircle of the positively oriented triangle (a, b, c), 0 on it, −1 outside.
+int in_circle(Point2i a, Point2i b, Point2i c, Point2i d);
+
+// --- Delaunay and Voronoi ----------------------------------------------------------------------------------
+
+struct Delaunay {
+    std::vector<std::array<int, 3>> triangles; // point indices, positively oriented
+    std::vector<std::array<int, 3>> neighbours; // neighbours[t][i]: triangle across the edge opposite corner i, −1 hull
+};
+// Delaunay triangulation of distinct points (duplicates and fewer than three non-collinear points: no triangles).
+// Cocircular ties are resolved by a documented rule, so the result depends on the points and their order alone.
+Delaunay delaunay(const std::vector<Point2i>& points);
+
+// An edge of the Voronoi diagram: dual of the Delaunay edge between two sites.
+struct VoronoiEdge {
+    Point2d from, to; // circumcentres
+    int site_a = 0, site_b = 0; // indices of the two nearest sites
+};
+// All finite Voronoi edges (edges of zero length between cocircular triangles included).
+std::vector<VoronoiEdge> voronoi_edges(const std::vector<Point2i>& points, const Delaunay& triangulation);
+
+// --- borders (Suzuki & Abe 1985) ---------------------------------------------------------------------------
+
+// A closed chain of 8-connected border pixels, in tracing order; a pixel on a one-pixel neck occurs twice.
+struct Border {
+    bool outer = true;   // outer border, or border of a hole
+    int parent = -1;     // index of the enclosing border, −1 for the frame
+    std::vector<Point2i> points;
+};
+// Border following with full hierarchy (Suzuki & Abe 1985, Algorithm 1), borders in raster order of their start.
+// The order of points equals that of OpenCV's findContours(RETR_TREE, CHAIN_APPROX_NONE).
+std::vector<Border> follow_borders(const Mask& mask);
+// Sum of the steps of a closed border: 1 along an axis, √2 along a diagonal.
+double closed_length(const std::vector<Point2i>& border);
+
+// --- polylines ---------------------------------------------------------------------------------------------
+
+double polyline_length(const std::vector<Point2d>& line);
+// `count` ≥ 2 points at equal arc length, ends included.
+std::vector<Point2d> resample(const std::vector<Point2d>& line, int count);
+// Douglas–Peucker 1973: the indices kept, ends included.
+std::vector<int> douglas_peucker(const std::vector<Point2d>& line, double tolerance);
+
+} // namespace pantin

@@ -1,0 +1,126 @@
+// Step 4 (thesis 4.5): the reference skeleton that the character moves like.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pantin/label.hpp"
+#include "pantin/point.hpp"
+#include "pantin/skeletonization.hpp"
+
+namespace pantin {
+
+// --- reference skeletons (docs/formats.md, "reference.json") -------------------------------------------------
+
+struct ReferenceNode {
+    std::string name; // "head", "chest", "hand_left", …
+    Label label = Label::body;
+    double x = 0, y = 0; // [0, 1], y down
+    double r = 0;        // radius of the shape at the node (the shape: nodes and edges drawn with their radii)
+};
+// One joint of the animation hierarchy: turns about `node`'s inner end.
+struct ReferenceJoint {
+    std::string name;   // glTF/VRM-like: "hips", "chest", "head", "leg_front_left", …
+    int parent = -1;    // index of the parent joint, −1 for the root; parents come first
+    int node = -1;      // the reference node that the joint moves (end-effector or body node)
+};
+// A periodic rotation of one joint about one axis: angle(t) = offset + amplitude · sin(2π (cycles · t/duration + phase)).
+struct ReferenceTrack {
+    int joint = 0;
+    std::string axis;      // "x", "y", "z" (z: in the plane of the drawing, counter-clockwise seen from the front),
+                           // or "tx", "ty": translation as a share of the character's height
+    int segment = 0;       // along a limb's chain of bones: 0 the innermost
+    double amplitude = 0;  // degrees (share of the height for translations)
+    double phase = 0;      // in cycles
+    double offset = 0;
+    int cycles = 1;        // whole cycles per clip, so that it loops
+};
+struct ReferenceClip {
+    std::string name; // "walk", "fly", "idle"
+    double duration = 1; // seconds
+    std::vector<ReferenceTrack> tracks;
+};
+struct ReferenceSkeleton {
+    std::string name;
+    std::vector<ReferenceNode> nodes;
+    std::vector<std::pair<int, int>> edges;
+    std::vector<ReferenceJoint> joints;
+    std::vector<ReferenceClip> clips; // the first one is the default
+};
+
+ReferenceSkeleton parse_reference(std::span<const unsigned char> json, const std::string& source);
+// The compiled-in references (order: humanoid, quadruped, flying); those of `directory`, when not empty,
+// replace the ones of their name or are added. Error(input) names the file.
+std::vector<ReferenceSkeleton> load_references(const std::filesystem::path& directory = {});
+
+// --- geometric graph distance (Cheong et al. 2009, thesis Eq. 4.3–4.7) -------------------------------------
+
+struct LabelledGraph {
+    std::vector<Point2d> positions;
+    std::vector<Label> labels;
+    std::vector<std::pair<int, int>> edges;
+};
+LabelledGraph to_labelled_graph(const SkeletonGraph& graph);       // positions in pixels
+LabelledGraph to_labelled_graph(const ReferenceSkeleton& reference);
+// Per axis to [0, 1] by the bounding box of the vertices (ERRATA 11).
+LabelledGraph normalised(const LabelledGraph& graph);
+LabelledGraph mirrored(const LabelledGraph& graph); // x → 1 − x
+
+struct GgdOptions {
+    double k_v = 1, k_e = 1, k_l = 5; // thesis ch. 5
+    // Value of each label; the label distance is the absolute difference (thesis ch. 5).
+    std::array<double, label_count> label_values = {0, 1, 2, 7, 4, 10};
+    long max_nodes = 2'000'000; // of the search tree; beyond it the best matching so far, optimal = false
+};
+struct GgdResult {
+    double distance = 0;                    // recomputed from the matching in a fixed order
+    double base = 0;                        // K_e (Σ|e| + Σ|e'|): the distance of the empty matching
+    std::vector<std::pair<int, int>> pairs; // (vertex of A, vertex of B), ascending
+    bool optimal = true;
+};
+// Our exact branch and bound; canonical: the lexicographically smallest matching within 1e-9 of the optimum.
+GgdResult geometric_graph_distance(const LabelledGraph& a, const LabelledGraph& b, const GgdOptions& options = {});
+// Cost of a given matching.
+double matching_cost(const LabelledGraph& a, const LabelledGraph& b,
+                     const std::vector<std::pair<int, int>>& pairs, const GgdOptions& options = {});
+
+enum class IlpFormulation { literal, tightened }; // Eq. 4.6 as printed, or as in ERRATA 12
+bool ilp_available(); // built with GLPK
+GgdResult geometric_graph_distance_ilp(const LabelledGraph& a, const LabelledGraph& b,
+                                       const GgdOptions& options, IlpFormulation formulation);
+
+// --- the step ------------------------------------------------------------------------------------------------
+
+struct IdentificationOptions {
+    GgdOptions ggd;
+    bool thesis_score = false;   // `thesis`: score = ggd, K_v = 0.38 for the quadruped, not mirrored
+    bool use_evidence = true;    // presence of parts enters the score (ERRATA 10)
+    bool use_ilp = false;        // `thesis`: solve the ILP with GLPK, asserted equal to the branch and bound
+};
+
+struct Candidate {
+    std::string reference;
+    bool mirrored = false;
+    double distance = 0; // ggd
+    double score = 0;    // what decides; smaller is better
+    std::vector<std::pair<std::string, double>> evidence; // name → contribution to the score, in a fixed order
+    bool optimal = true;
+    std::vector<std::pair<int, int>> pairs; // (skeleton vertex, reference node)
+};
+struct Identification {
+    std::string reference;
+    double confidence = 0; // [0, 1]
+    std::vector<Candidate> candidates; // from best to worst
+};
+
+// Throws CharacterRejected("identify", …) for what cannot move: a head alone, a blob, a scribble.
+Identification identify(const SkeletonGraph& graph, const LabelMap& labels,
+                        const std::vector<ReferenceSkeleton>& references,
+                        const IdentificationOptions& options = {});
+
+} // namespace pantin

@@ -1,0 +1,34 @@
+// Points in pixel coordinates: x right, y down.
+#pragma once
+
+#include <cmath>
+#include <compare>
+
+namespace pantin {
+
+struct Point2i {
+    int x = 0, y = 0;
+    bool operator==(const Point2i&) const = default;
+};
+
+struct Point2d {
+    double x = 0, y = 0;
+    bool operator==(const Point2d&) const = default;
+};
+
+inline Point2d operator+(Point2d a, Point2d b) { return {a.x + b.x, a.y + b.y}; }
+inline Point2d operator-(Point2d a, Point2d b) { return {a.x - b.x, a.y - b.y}; }
+inline Point2d operator*(double s, Point2d a) { return {s * a.x, s * a.y}; }
+inline double dot(Point2d a, Point2d b) { return a.x * b.x + a.y * b.y; }
+inline double cross(Point2d a, Point2d b) { return a.x * b.y - a.y * b.x; }
+inline double length(Point2d a) { return std::sqrt(dot(a, a)); } // sqrt, not hypot: exact on every C library
+inline double distance(Point2d a, Point2d b) { return length(a - b); }
+inline Point2d to_double(Point2i p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+// An axis-aligned rectangle of pixels: columns x … x+width−1, rows y … y+height−1.
+struct Box {
+    int x = 0, y = 0, width = 0, height = 0;
+    bool operator==(const Box&) const = default;
+};
+
+} // namespace pantin

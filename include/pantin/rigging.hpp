@@ -1,0 +1,105 @@
+// Step 5 (thesis 4.6): end-effector mapping, mesh, bones, skin weights, texture coordinates.
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pantin/grid.hpp"
+#include "pantin/identification.hpp"
+#include "pantin/point.hpp"
+#include "pantin/skeletonization.hpp"
+
+namespace pantin {
+
+// --- end-effector mapping --------------------------------------------------------------------------------------
+
+struct PathSamples {
+    std::vector<double> radii; // DT(p) / mean DT over the mask, at M points of equal arc length (Eq. 4.8, ERRATA 14)
+    double length = 0;         // of the path
+};
+double path_distance(const PathSamples& a, const PathSamples& b, double alpha); // Eq. 4.9
+
+enum class OsbForm { icdm2007, printed }; // Eq. 4.12, ERRATA 17
+struct OsbResult {
+    double cost = 0;
+    std::vector<std::pair<int, int>> path;
+};
+// costs[i][j]; jump cost κ of Eq. 4.13 unless given (≥ 0).
+OsbResult optimal_subsequence_bijection(const std::vector<std::vector<double>>& costs, OsbForm form = OsbForm::icdm2007,
+                                        double jump_cost = -1);
+// Minimum-cost assignment; costs may be rectangular. Result[i] = column of row i, −1 when unassigned.
+std::vector<int> hungarian(const std::vector<std::vector<double>>& costs);
+
+struct MappingOptions {
+    int samples = 50;        // M
+    double alpha = 0.1;      // thesis 4.6
+    bool length_in_pixels = false; // `thesis`; default divides by the mean DT (ERRATA 15)
+    OsbForm osb = OsbForm::icdm2007;
+    double label_penalty = 0; // filled by the default preset (ERRATA 19)
+    double prior_weight = 0;  // of the vertex matching of identification (ERRATA 19)
+};
+struct EndPair {
+    int end = 0;           // skeleton vertex
+    int reference_end = 0; // reference node
+    double cost = 0;
+};
+struct Mapping {
+    std::vector<int> ends;           // the character's end-effectors, clockwise (Algorithm 4.2)
+    std::vector<int> reference_ends; // the reference's, clockwise
+    std::vector<std::vector<double>> costs; // [ends][reference_ends]
+    std::vector<EndPair> pairs;      // ascending by end
+};
+Mapping map_end_effectors(const SkeletonGraph& graph, const Mask& silhouette, const ReferenceSkeleton& reference,
+                          const Candidate& match, const MappingOptions& options = {});
+
+// --- mesh ---------------------------------------------------------------------------------------------------------
+
+struct Mesh {
+    std::vector<Point2d> vertices; // working pixels
+    std::vector<std::vector<int>> faces; // 3 to 6 corners, clockwise on screen (y down)
+};
+struct MeshOptions {
+    double cell = 0;          // side of a voxel in working pixels; 0: from the thinnest limb (ERRATA 21)
+    bool interpolate_distance = true; // `thesis`: false, the midpoint
+};
+// Marching squares quad mesh of the silhouette (Maple 2003).
+Mesh marching_squares(const Mask& silhouette, const MeshOptions& options);
+
+// --- bones and weights -----------------------------------------------------------------------------------------------
+
+// Bone i turns about `head` and reaches to `tail`. The root bone is the body.
+struct Bone {
+    std::string name;      // "hips", "leg_front_left", "leg_front_left.1" (next segment outward), …
+    int parent = -1;       // parents come first
+    Point2d head, tail;    // working pixels
+    Label label = Label::body;
+    int reference_joint = -1; // which reference joint drives it
+    int segment = 0;          // 0 = innermost segment of its limb
+    bool mirrored = false;    // rotations in the plane change sign
+};
+struct VertexWeights {
+    std::array<int, 4> bones{};      // unused: 0
+    std::array<double, 4> weights{}; // non-negative, sum 1
+};
+struct RigOptions {
+    MappingOptions mapping;
+    MeshOptions mesh;
+    bool thesis_weights = false; // Algorithm 4.4 to the letter, one bone per end-effector
+    int limb_segments = 2;       // `thesis`: 1
+};
+struct Rig {
+    int width = 0, height = 0; // of the working crop
+    Mapping mapping;
+    Mesh mesh;
+    std::vector<Bone> bones;
+    std::vector<VertexWeights> weights;   // per mesh vertex
+    std::vector<Point2d> texture;         // per mesh vertex, [0, 1], v down
+    std::vector<double> depth;            // per mesh vertex, small z offsets for the draw order of parts
+};
+// Throws CharacterRejected("rig", …) when no end-effector can be mapped.
+Rig rig(const SkeletonGraph& graph, const LabelMap& labels, const Identification& identification,
+        const std::vector<ReferenceSkeleton>& references, const RigOptions& options = {});
+
+} // namespace pantin

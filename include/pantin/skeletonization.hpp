@@ -1,0 +1,66 @@
+// Step 3 (thesis 3.4, 4.4): part labels to the skeleton graph.
+#pragma once
+
+#include <vector>
+
+#include "pantin/geometry.hpp"
+#include "pantin/grid.hpp"
+#include "pantin/label.hpp"
+#include "pantin/point.hpp"
+
+namespace pantin {
+
+enum class Residual {
+    arc,   // contour length between the two sites: what the thesis describes (ERRATA 1)
+    chord, // minus the straight distance: Ogniewicz & Ilg's chord residual
+};
+
+struct SkeletonizationOptions {
+    Residual residual = Residual::chord;  // `thesis`: arc
+    double residual_threshold = 30;       // at 321 px, scales with the longer side of the mask (thesis ch. 5)
+    double merge_distance = 5;            // ε of H2 at 321 px, scales likewise (thesis 4.4)
+    double fill_holes_share = 0.02;       // holes smaller than this share of the shape are filled; `thesis`: 0
+};
+
+struct SkeletonVertex {
+    double x = 0, y = 0;
+    Label label = Label::body;
+    bool end = false; // end-effector (degree 1), else junction
+    bool operator==(const SkeletonVertex&) const = default;
+};
+struct SkeletonEdge {
+    int u = 0, v = 0;            // u < v
+    double length = 0;           // sum of the steps of `pixels`
+    std::vector<Point2i> pixels; // from u to v
+    bool operator==(const SkeletonEdge&) const = default;
+};
+struct SkeletonGraph {
+    int width = 0, height = 0; // of the working crop
+    std::vector<SkeletonVertex> vertices;
+    std::vector<SkeletonEdge> edges;
+    bool operator==(const SkeletonGraph&) const = default;
+};
+
+// Everything that Figures 3.14, 4.9, 4.11 and 4.12 show.
+struct Skeletonization {
+    Mask mask;                        // largest component of the silhouette, holes filled
+    std::vector<Border> contour;
+    std::vector<VoronoiEdge> voronoi; // all edges inside the mask
+    std::vector<double> residuals;    // per Voronoi edge
+    Mask voronoi_raster;              // edges over the threshold
+    Mask thinned;                     // after Zhang–Suen
+    Mask skeleton;                    // after removal of redundant pixels
+    SkeletonGraph raw, after_h1, graph; // `graph`: after H1 and H2
+};
+
+// Throws CharacterRejected("skeletonize", …) when nothing usable is left (empty or hollow silhouette).
+Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions& options = {});
+
+// The sub-steps, each usable alone.
+Mask zhang_suen(const Mask& mask);                    // Algorithm 4.1, with ERRATA 5
+Mask remove_redundant_pixels(const Mask& skeleton);   // ERRATA 6
+SkeletonGraph extract_graph(const Mask& skeleton, const LabelMap& labels);
+SkeletonGraph apply_h1(const SkeletonGraph& graph);
+SkeletonGraph apply_h2(const SkeletonGraph& graph, double merge_distance);
+
+} // namespace pantin
