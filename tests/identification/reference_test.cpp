@@ -1,0 +1,152 @@
+// Reference skeletons: what is compiled in, what a directory adds, what a malformed file says.
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "pantin/error.hpp"
+#include "pantin/identification.hpp"
+
+using namespace pantin;
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+ReferenceSkeleton parse(const std::string& text) {
+    return parse_reference({reinterpret_cast<const unsigned char*>(text.data()), text.size()}, "fox.json");
+}
+
+std::string failure(const std::string& text) {
+    try {
+        parse(text);
+    } catch (const Error& error) {
+        REQUIRE(error.kind() == ErrorKind::input);
+        REQUIRE(std::string(error.what()).find('\n') == std::string::npos);
+        return error.what();
+    }
+    return "";
+}
+
+const std::string fox = R"({"name": "fox",
+    "nodes": [{"name": "head", "label": "head", "x": 0.1, "y": 0.2, "r": 0.1},
+              {"name": "chest", "label": "body", "x": 0.5, "y": 0.5, "r": 0.2}],
+    "edges": [["chest", "head"]],
+    "joints": [{"name": "chest", "parent": null, "node": "chest"}, {"name": "head", "parent": "chest", "node": "head"}],
+    "clips": [{"name": "walk", "duration": 1.5, "tracks": [
+        {"joint": "head", "axis": "z", "amplitude": 10, "phase": 0.25, "cycles": 2}]}]})";
+
+std::string replaced(const std::string& from, const std::string& to) {
+    std::string text = fox;
+    const auto at = text.find(from);
+    REQUIRE(at != std::string::npos);
+    return text.replace(at, from.size(), to);
+}
+
+struct Folder {
+    fs::path path = fs::temp_directory_path() / "pantin-test-references";
+    Folder() {
+        fs::remove_all(path);
+        fs::create_directories(path);
+    }
+    ~Folder() { fs::remove_all(path); }
+    void write(const std::string& name, const std::string& text) const { std::ofstream(path / name) << text; }
+};
+
+} // namespace
+
+TEST_CASE("the compiled-in references are the three of the thesis, in a fixed order") {
+    const auto all = load_references();
+    REQUIRE(all.size() == 3);
+    CHECK(all[0].name == "humanoid");
+    CHECK(all[1].name == "quadruped");
+    CHECK(all[2].name == "flying");
+    for (const ReferenceSkeleton& reference : all) {
+        CHECK(reference.edges.size() + 1 == reference.nodes.size()); // a tree
+        std::set<Label> labels;
+        for (const ReferenceNode& node : reference.nodes) labels.insert(node.label);
+        CHECK(labels.count(Label::head) == 1);
+        CHECK(labels.count(Label::limb) == 1);
+        CHECK(labels.count(Label::wing) == (reference.name == "flying"));
+    }
+}
+
+TEST_CASE("a reference is read as written") {
+    const ReferenceSkeleton skeleton = parse(fox);
+    REQUIRE(skeleton.nodes.size() == 2);
+    CHECK(skeleton.nodes[0].label == Label::head);
+    CHECK(skeleton.nodes[1].r == 0.2);
+    CHECK(skeleton.edges == std::vector<std::pair<int, int>>{{0, 1}});
+    CHECK(skeleton.joints[0].parent == -1);
+    CHECK(skeleton.joints[1].parent == 0);
+    REQUIRE(skeleton.clips.size() == 1);
+    const ReferenceTrack& track = skeleton.clips[0].tracks.at(0);
+    CHECK(track.joint == 1);
+    CHECK(track.axis == "z");
+    CHECK(track.amplitude == 10);
+    CHECK(track.phase == 0.25);
+    CHECK(track.cycles == 2);
+    CHECK(track.offset == 0);
+}
+
+TEST_CASE("a malformed reference is an error that names the file, the place and the fact") {
+    CHECK_THAT(failure(""), Contains("fox.json: not JSON"));
+    CHECK_THAT(failure(fox.substr(0, 200)), Contains("fox.json: not JSON"));
+    CHECK_THAT(failure("[1, 2]"), Contains("fox.json: must be an object"));
+    CHECK_THAT(failure("{\"name\": 1e999}"), Contains("out of range"));
+    CHECK_THAT(failure(replaced("\"x\": 0.1", "\"x\": 1.5")),
+               Contains("fox.json: nodes[0].x: must lie in [0.0, 1.0]"));
+    CHECK_THAT(failure(replaced("\"x\": 0.1", "\"x\": \"left\"")), Contains("nodes[0].x: must be a number"));
+    CHECK_THAT(failure(replaced("\"x\": 0.1, ", "")), Contains("nodes[0]: misses 'x'"));
+    CHECK_THAT(failure(replaced("\"label\": \"head\"", "\"label\": \"fin\"")),
+               Contains("nodes[0].label: must be head"));
+    CHECK_THAT(failure(replaced("\"name\": \"chest\"", "\"name\": \"head\"")),
+               Contains("'head' occurs twice"));
+    CHECK_THAT(failure(replaced("[\"chest\", \"head\"]", "[\"chest\", \"toe\"]")),
+               Contains("edges[0][1]: there is no node 'toe'"));
+    CHECK_THAT(failure(replaced("[\"chest\", \"head\"]", "[\"chest\", \"chest\"]")),
+               Contains("two different nodes"));
+    CHECK_THAT(failure(replaced("[\"chest\", \"head\"]", "")), Contains("no path of edges leads to 'chest'"));
+    CHECK_THAT(failure(replaced("\"parent\": \"chest\"", "\"parent\": \"tail\"")),
+               Contains("joints[1].parent"));
+    CHECK_THAT(failure(replaced("\"parent\": null", "\"parent\": \"head\"")), Contains("joints[0].parent"));
+    CHECK_THAT(failure(replaced("\"axis\": \"z\"", "\"axis\": \"w\"")), Contains("clips[0].tracks[0].axis"));
+    CHECK_THAT(failure(replaced("\"cycles\": 2", "\"cycles\": 2.5")), Contains("whole number"));
+    CHECK_THAT(failure(replaced("\"cycles\"", "\"cycle\"")), Contains("unknown key \"cycle\""));
+    CHECK_THAT(failure(replaced("\"name\": \"fox\"", "\"name\": \"../fox\"")), Contains("name: a name is"));
+}
+
+TEST_CASE("no truncation and no changed byte of a reference makes the reader do anything but succeed or fail "
+          "clearly") {
+    for (std::size_t n = 0; n < fox.size(); ++n) CHECK_FALSE(failure(fox.substr(0, n)).empty());
+    for (std::size_t n = 0; n < fox.size(); ++n)
+        for (const char c : {'\0', '"', '9', '\xff', '}'}) {
+            std::string text = fox;
+            text[n] = c;
+            const std::string message = failure(text);
+            CHECK((message.empty() || message.find("fox.json: ") == 0));
+        }
+}
+
+TEST_CASE("a directory replaces references of the same name and adds others") {
+    const Folder folder;
+    folder.write("b.json", fox);
+    folder.write("a.json", replaced("\"name\": \"fox\"", "\"name\": \"humanoid\""));
+    folder.write("notes.txt", "not a reference");
+    const auto all = load_references(folder.path);
+    REQUIRE(all.size() == 4);
+    CHECK(all[0].name == "humanoid");
+    CHECK(all[0].nodes.size() == 2);
+    CHECK(all[1].name == "quadruped");
+    CHECK(all[3].name == "fox");
+}
+
+TEST_CASE("a directory that is missing, empty or ambiguous is an error that names it") {
+    CHECK_THROWS_WITH(load_references("/nonexistent/references"), Contains("/nonexistent/references"));
+    const Folder folder;
+    CHECK_THROWS_WITH(load_references(folder.path), Contains("holds no reference"));
+    folder.write("a.json", fox);
+    folder.write("b.json", fox);
+    CHECK_THROWS_WITH(load_references(folder.path), Contains("b.json: a second reference named 'fox'"));
+}
