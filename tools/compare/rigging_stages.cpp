@@ -1,0 +1,7 @@
+#include "compare.hpp"
+
+namespace pantin::compare {
+
+void rigging_stages(const std::filesystem::path&, const std::vector<Figure>&, Report&) {}
+
+} // namespace pantin::compare
