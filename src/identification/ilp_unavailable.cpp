@@ -1,0 +1,17 @@
+// Built without GLPK (`make GLPK=0`): the exact branch and bound serves alone.
+#ifndef PANTIN_GLPK
+#include "pantin/error.hpp"
+#include "pantin/identification.hpp"
+
+namespace pantin {
+
+bool ilp_available() { return false; }
+
+GgdResult geometric_graph_distance_ilp(const LabelledGraph&, const LabelledGraph&, const GgdOptions&,
+                                       IlpFormulation) {
+    throw Error(ErrorKind::usage,
+                "this program was built without GLPK: the integer linear program cannot be solved");
+}
+
+} // namespace pantin
+#endif
