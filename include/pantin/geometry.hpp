@@ -1,4 +1,5 @@
-// Points, polygons and the structures on them. Coordinates that decide topology are integers, so every sign is exact.
+// Points, polygons and the structures on them. Coordinates that decide topology are integers, so every sign
+// is exact.
 #pragma once
 
 #include <array>
@@ -21,30 +22,34 @@ int in_circle(Point2i a, Point2i b, Point2i c, Point2i d);
 
 struct Delaunay {
     std::vector<std::array<int, 3>> triangles; // point indices, positively oriented
-    std::vector<std::array<int, 3>> neighbours; // neighbours[t][i]: triangle across the edge opposite corner i, −1 hull
+    std::vector<std::array<int, 3>>
+        neighbours; // neighbours[t][i]: triangle across the edge opposite corner i, −1 hull
 };
-// Delaunay triangulation of distinct points (duplicates and fewer than three non-collinear points: no triangles).
-// Cocircular ties are resolved by a documented rule, so the result depends on the points and their order alone.
+// Delaunay triangulation, |coordinate| < 2^24. Of equal points only the first is used; no triangles without
+// three points that are not collinear. How cocircular points are split follows from a rule (delaunay.cpp) on
+// the set of points alone, not on their order.
 Delaunay delaunay(const std::vector<Point2i>& points);
 
 // An edge of the Voronoi diagram: dual of the Delaunay edge between two sites.
 struct VoronoiEdge {
-    Point2d from, to; // circumcentres
+    Point2d from, to;           // circumcentres
     int site_a = 0, site_b = 0; // indices of the two nearest sites
 };
-// All finite Voronoi edges (edges of zero length between cocircular triangles included).
+// All finite Voronoi edges. Between cocircular triangles `from` == `to`, to the bit: where four sites or more
+// lie on one circle the diagram has one vertex, and the edges of no length depend on how the triangulation
+// splits them.
 std::vector<VoronoiEdge> voronoi_edges(const std::vector<Point2i>& points, const Delaunay& triangulation);
 
 // --- borders (Suzuki & Abe 1985) ---------------------------------------------------------------------------
 
 // A closed chain of 8-connected border pixels, in tracing order; a pixel on a one-pixel neck occurs twice.
 struct Border {
-    bool outer = true;   // outer border, or border of a hole
-    int parent = -1;     // index of the enclosing border, −1 for the frame
+    bool outer = true; // outer border, or border of a hole
+    int parent = -1;   // index of the enclosing border, −1 for the frame
     std::vector<Point2i> points;
 };
-// Border following with full hierarchy (Suzuki & Abe 1985, Algorithm 1), borders in raster order of their start.
-// The order of points equals that of OpenCV's findContours(RETR_TREE, CHAIN_APPROX_NONE).
+// Border following with full hierarchy (Suzuki & Abe 1985, Algorithm 1), borders in raster order of their
+// start. The order of points equals that of OpenCV's findContours(RETR_TREE, CHAIN_APPROX_NONE).
 std::vector<Border> follow_borders(const Mask& mask);
 // Sum of the steps of a closed border: 1 along an axis, √2 along a diagonal.
 double closed_length(const std::vector<Point2i>& border);
@@ -52,9 +57,10 @@ double closed_length(const std::vector<Point2i>& border);
 // --- polylines ---------------------------------------------------------------------------------------------
 
 double polyline_length(const std::vector<Point2d>& line);
-// `count` ≥ 2 points at equal arc length, ends included.
+// `count` ≥ 2 points at equal arc length along a line of at least one point, ends included.
 std::vector<Point2d> resample(const std::vector<Point2d>& line, int count);
-// Douglas–Peucker 1973: the indices kept, ends included.
+// Douglas & Peucker 1973: the indices kept, ends included; what is dropped lies within `tolerance` of its
+// segment.
 std::vector<int> douglas_peucker(const std::vector<Point2d>& line, double tolerance);
 
 } // namespace pantin
