@@ -1,0 +1,102 @@
+#!/usr/bin/python3
+"""Writes a checkpoint as safetensors: export.py CHECKPOINT OUT.safetensors [--type F16|F32] [--raw]
+(the moving average of the weights; --raw: the last weights), or a small fixture with random weights for the tests of the C++ side:
+export.py --fixture OUT_WEIGHTS OUT_EXPECTED."""
+import argparse
+import json
+import struct
+
+import numpy as np
+import torch
+
+from model import EXPERTS, Segmenter, metadata
+
+TYPES = {"F32": np.dtype("<f4"), "F16": np.dtype("<f2")}
+
+
+def write_safetensors(path, tensors, facts):
+    """tensors: {name: array of float32 or float16}; 8 bytes length, JSON header padded to 8, data in the order of the names."""
+    header, offset = {"__metadata__": facts}, 0
+    arrays = {name: np.asarray(tensors[name], order="C") for name in sorted(tensors)}
+    for name, array in arrays.items():
+        kind = {v: k for k, v in TYPES.items()}[array.dtype]
+        header[name] = {"dtype": kind, "shape": list(array.shape), "data_offsets": [offset, offset + array.nbytes]}
+        offset += array.nbytes
+    text = json.dumps(header, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 8)
+    with open(path, "wb") as file:
+        file.write(struct.pack("<Q", len(text)) + text)
+        for array in arrays.values():
+            file.write(array.tobytes())
+
+
+def read_safetensors(path):
+    """-> {name: float32 array}, metadata"""
+    data = open(path, "rb").read()
+    length = struct.unpack("<Q", data[:8])[0]
+    header = json.loads(data[8:8 + length])
+    facts, body, tensors = header.pop("__metadata__", {}), data[8 + length:], {}
+    for name, entry in header.items():
+        begin, end = entry["data_offsets"]
+        tensors[name] = np.frombuffer(body[begin:end], TYPES[entry["dtype"]]).reshape(entry["shape"]).astype(np.float32)
+    return tensors, facts
+
+
+def tensors_of(model, kind):
+    return {name: value.numpy().astype(TYPES[kind]) for name, value in model.state_dict().items()
+            if not name.endswith("num_batches_tracked")}
+
+
+def load(path, raw=False):
+    """a Segmenter in evaluation mode, from a checkpoint of train.py or from a safetensors file."""
+    if path.endswith(".safetensors"):
+        tensors, facts = read_safetensors(path)
+        model = Segmenter(*(tuple(map(int, facts[key].split(","))) for key in ("widths", "decoder")))
+        state = {name: torch.from_numpy(value.copy()) for name, value in tensors.items()}
+        model.load_state_dict(state, strict=False)
+    else:
+        checkpoint = torch.load(path, map_location="cpu")
+        model = Segmenter(checkpoint["widths"], checkpoint["decoder"])
+        model.load_state_dict(checkpoint["model" if raw else "average"])
+    return model.eval()
+
+
+def fixture(weights, expected):
+    """tiny widths, random weights and statistics; one input (48 x 48) and what both experts, the router and the pose head say."""
+    torch.manual_seed(7)
+    model = Segmenter((4, 6, 8, 10), (8, 6, 4))
+    generator = torch.Generator().manual_seed(8)
+    for name, value in model.state_dict().items():
+        if name.endswith(("running_var", "norm.weight")):
+            value.copy_(0.5 + torch.rand(value.shape, generator=generator))
+        elif name.endswith(("running_mean", "bias")):
+            value.copy_(0.4 * torch.randn(value.shape, generator=generator))
+    model.eval()
+    ink = (torch.rand(1, 1, 48, 48, generator=generator) > 0.7).float() * torch.rand(1, 1, 48, 48, generator=generator)
+    with torch.no_grad():
+        parts, router, pose = model(ink)
+    facts = {**metadata(model), "input": "48"}
+    write_safetensors(weights, tensors_of(model, "F32"), facts)
+    answers = {"input": ink, "router": router.softmax(1), "pose": pose.softmax(1)}
+    for name in EXPERTS:
+        answers[f"probabilities.{name}"] = parts[name].softmax(1)
+    write_safetensors(expected, {k: v.numpy().astype(np.float32) for k, v in answers.items()}, facts)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("source")
+    parser.add_argument("out")
+    parser.add_argument("--type", choices=sorted(TYPES), default="F16")
+    parser.add_argument("--raw", action="store_true")
+    parser.add_argument("--fixture", action="store_true", help="write the fixture: SOURCE = weights, OUT = expected")
+    args = parser.parse_args()
+    if args.fixture:
+        fixture(args.source, args.out)
+        return
+    model = load(args.source, args.raw)
+    write_safetensors(args.out, tensors_of(model, args.type), metadata(model))
+
+
+if __name__ == "__main__":
+    main()
