@@ -16,18 +16,24 @@ inline constexpr int min_image_side = 16;
 inline constexpr int max_image_side = 16384;
 inline constexpr long max_image_pixels = 64'000'000;
 
-// Loads a PNG or JPEG page. EXIF orientation of a JPEG is applied, alpha is composited on white.
-// Dimensions are checked before anything is decoded. Throws Error(input) naming the file.
-RgbImage load_image(const std::filesystem::path& file);
-// Loads an 8-bit PNG that the pipeline wrote (mask, labels, skeleton), any size; Error(input) if it is none.
+// Loads a PNG or JPEG page. EXIF orientation of a JPEG is applied, alpha is composited on white, 16-bit
+// samples keep their high byte. Dimensions and completeness are checked before anything is decoded: damaged
+// and truncated files are errors. Throws Error(input) naming the file. A character's drawing.png may be
+// smaller than a page: min_side 1.
+RgbImage load_image(const std::filesystem::path& file, int min_side = min_image_side);
+// Loads a grey PNG that the pipeline wrote (mask, labels, skeleton), any size, values as stored; an editor
+// may have saved it with colour channels or a palette as long as every pixel is grey; fully transparent
+// pixels count as 0. Throws Error(input) naming the file.
 GreyImage load_grey(const std::filesystem::path& file);
 
-// PNG, written to a temporary name and renamed. Throws Error(output).
+// PNG, written to a temporary name in the same folder and renamed. Values as given (a Mask must be scaled to
+// 255). Throws Error(output) naming the file.
 void save_png(const std::filesystem::path& file, const GreyImage& image);
 void save_png(const std::filesystem::path& file, const RgbImage& image);
 void save_png(const std::filesystem::path& file, const RgbaImage& image);
-std::vector<unsigned char> encode_png(const RgbaImage& image);
+std::vector<unsigned char> encode_png(const GreyImage& image);
 std::vector<unsigned char> encode_png(const RgbImage& image);
+std::vector<unsigned char> encode_png(const RgbaImage& image);
 
 // --- tone ------------------------------------------------------------------------------------------------
 
@@ -38,15 +44,27 @@ GreyImage greyscale(const RgbImage& image);
 // window cut at the border. Shadows and yellow paper move the mean with them and do not become ink.
 Mask adaptive_threshold(const GreyImage& image, int radius, int offset);
 
-// Ink darkness in [0, 1]: 0 paper, 1 the darkest strokes. The paper's brightness is estimated locally, so that
-// a photograph, a scan and a digital drawing look alike to the networks. The training code does the same.
+// Ink darkness in [0, 1]: 0 paper, 1 the darkest strokes. The paper's brightness is estimated locally, so
+// that a photograph, a scan and a digital drawing look alike to the networks; black on white comes out as 1
+// and 0.
+// 1. Blocks of max(8, ⌈longer side / 64⌉) pixels; a block's paper is the 80th percentile of its grey values.
+// 2. Closing (largest, then smallest value) of the blocks over a window of the picture's size; a block darker
+// than
+//    0.7 of its closing is a filled area and takes the closing's value, any other (shadow, tint) keeps its
+//    own.
+// 3. Binomial 3×3 mean of the blocks, bilinear in between: paper(x, y) ≥ 1. d = 1 − grey / paper, clamped to
+// [0, 1].
+// 4. Divided by the 95th percentile of d over the pixels with d > 0.15 (at least 0.25), clamped to 1.
+// The networks' training sees drawings through the same steps.
 Grid<float> ink_darkness(const RgbImage& image);
 
 // --- size ------------------------------------------------------------------------------------------------
 
-// Area average when it shrinks, bilinear when it grows (pixel centres at integer + ½ of the scaled grid).
+// Per axis: area average when it shrinks, bilinear when it grows (pixel centres at integer + ½ of the scaled
+// grid). Every target side must be at least 1.
 Grid<float> resize(const Grid<float>& image, int width, int height);
-// A mask shrinks by majority of area and grows by nearest pixel.
+RgbImage resize(const RgbImage& image, int width, int height); // rounded to nearest
+// A mask shrinks by majority of area (half counts as foreground) and grows by nearest pixel.
 Mask resize_mask(const Mask& mask, int width, int height);
 LabelMap resize_nearest(const LabelMap& labels, int width, int height);
 template <class T> Grid<T> crop(const Grid<T>& image, Box box) {
@@ -58,7 +76,8 @@ template <class T> Grid<T> crop(const Grid<T>& image, Box box) {
 
 // --- masks -----------------------------------------------------------------------------------------------
 
-// Morphology with a (2·radius+1)² square or with the discrete disc of that radius; outside is background.
+// Morphology with a (2·radius+1)² square or with the discrete disc of that radius (all pixels whose centre is
+// at most `radius` away); outside is background. A closing does not lose pixels at the image's border.
 Mask dilate_square(const Mask& mask, int radius);
 Mask erode_square(const Mask& mask, int radius);
 Mask close_square(const Mask& mask, int radius);
@@ -78,6 +97,12 @@ struct Components {
 };
 // 8-connected components of the foreground.
 Components connected_components(const Mask& mask);
+// 4-connected components of the background.
+Components background_components(const Mask& mask);
+// The pixels of one component.
+Mask component_mask(const Components& components, int id);
+// Whether the component's box reaches the border of an image of that size.
+bool touches_border(const Component& component, int width, int height);
 // The largest 8-connected component (the first in raster order among equals); empty mask stays empty.
 Mask largest_component(const Mask& mask);
 
@@ -87,12 +112,12 @@ Mask fill_holes(const Mask& mask, long max_area = max_image_pixels);
 // --- distance --------------------------------------------------------------------------------------------
 
 // Exact squared Euclidean distance of every pixel to the nearest pixel with mask == 0 (Felzenszwalb &
-// Huttenlocher 2012, in integers). Pixels outside the image count as background.
+// Huttenlocher 2012, in integers as in Meijster et al. 2000). Pixels outside the image count as background.
 Grid<int> squared_distance_transform(const Mask& mask);
 // Its square root.
 Grid<float> distance_transform(const Mask& mask);
-// For every pixel the index (y·width + x) of a nearest pixel with seeds == 1, −1 when there is none. Ties: the
-// smallest index.
+// For every pixel the index (y·width + x) of a nearest pixel with seeds == 1, −1 when there is none. Ties:
+// the smallest index.
 Grid<int> nearest_seed(const Mask& seeds);
 
 } // namespace pantin

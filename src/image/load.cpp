@@ -1,0 +1,147 @@
+#include <cstdlib>
+#include <memory>
+#include <string>
+
+#include "core/files.hpp"
+#include "image/containers.hpp"
+#include "image/stb.hpp"
+#include "pantin/image.hpp"
+
+#define STB_IMAGE_IMPLEMENTATION
+#include <stb/stb_image.h>
+
+namespace pantin {
+
+static_assert(STBI_MAX_DIMENSIONS == max_image_side);
+
+namespace {
+
+struct FreePixels {
+    void operator()(unsigned char* pixels) const { stbi_image_free(pixels); }
+};
+using Pixels = std::unique_ptr<unsigned char, FreePixels>;
+
+[[noreturn]] void invalid(const std::filesystem::path& file, const std::string& fact) {
+    throw Error(ErrorKind::input, file.string() + ": " + fact);
+}
+
+// Everything that can be known before a pixel is decoded: kind, dimensions, completeness.
+ContainerInfo check_container(const std::filesystem::path& file, const std::vector<unsigned char>& bytes,
+                              int min_side) {
+    if (bytes.empty()) invalid(file, "is empty");
+    const ContainerInfo info = read_container(bytes);
+    if (info.kind == Container::unknown) invalid(file, "is neither a PNG nor a JPEG image");
+    const std::string size = std::to_string(info.width) + "x" + std::to_string(info.height);
+    const auto side_limit = static_cast<std::uint32_t>(max_image_side);
+    if (info.width > side_limit || info.height > side_limit)
+        invalid(file, "is " + size + " pixels; the limit is " + std::to_string(max_image_side) + " a side");
+    if (std::uint64_t{info.width} * info.height > static_cast<std::uint64_t>(max_image_pixels))
+        invalid(file, "is " + size + " pixels; the limit is " + std::to_string(max_image_pixels / 1'000'000) +
+                          " megapixels");
+    if (!info.problem.empty()) invalid(file, info.problem);
+    const auto smallest = static_cast<std::uint32_t>(min_side);
+    if (info.width < smallest || info.height < smallest)
+        invalid(file, "is " + size + " pixels; the smallest side allowed is " + std::to_string(min_side));
+    return info;
+}
+
+Pixels decode(const std::filesystem::path& file, const std::vector<unsigned char>& bytes,
+              const ContainerInfo& info, int channels) {
+    int width = 0, height = 0, in_file = 0;
+    Pixels pixels(stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height,
+                                        &in_file, channels));
+    if (!pixels) invalid(file, std::string("cannot be decoded: ") + stbi_failure_reason());
+    if (static_cast<std::uint32_t>(width) != info.width || static_cast<std::uint32_t>(height) != info.height)
+        invalid(file, "cannot be decoded: its headers disagree on the dimensions");
+    return pixels;
+}
+
+std::uint8_t over_white(unsigned value, unsigned alpha) {
+    return static_cast<std::uint8_t>((value * alpha + 255 * (255 - alpha) + 127) / 255);
+}
+
+RgbImage composite_on_white(const unsigned char* rgba, int width, int height) {
+    RgbImage image(width, height);
+    for (Rgb8& pixel : image) {
+        pixel = {over_white(rgba[0], rgba[3]), over_white(rgba[1], rgba[3]), over_white(rgba[2], rgba[3])};
+        rgba += 4;
+    }
+    return image;
+}
+
+RgbImage copy_rgb(const unsigned char* rgb, int width, int height) {
+    RgbImage image(width, height);
+    for (Rgb8& pixel : image) {
+        pixel = {rgb[0], rgb[1], rgb[2]};
+        rgb += 3;
+    }
+    return image;
+}
+
+// Turns the stored picture upright. EXIF 2.3, tag 0x0112: where the stored row 0 and column 0 belong.
+RgbImage apply_orientation(RgbImage stored, int orientation) {
+    if (orientation == 1) return stored;
+    const int w = stored.width(), h = stored.height();
+    const bool swaps = orientation >= 5;
+    RgbImage upright(swaps ? h : w, swaps ? w : h);
+    for (int y = 0; y < h; ++y) {
+        for (int x = 0; x < w; ++x) {
+            Point2i to{x, y};
+            switch (orientation) {
+            case 2:
+                to = {w - 1 - x, y};
+                break; // mirrored left–right
+            case 3:
+                to = {w - 1 - x, h - 1 - y};
+                break; // half a turn
+            case 4:
+                to = {x, h - 1 - y};
+                break; // mirrored top–bottom
+            case 5:
+                to = {y, x};
+                break; // transposed
+            case 6:
+                to = {h - 1 - y, x};
+                break; // shown after a quarter turn clockwise
+            case 7:
+                to = {h - 1 - y, w - 1 - x};
+                break; // transposed along the other diagonal
+            default:
+                to = {y, w - 1 - x};
+                break; // 8: after a quarter turn counter-clockwise
+            }
+            upright(to.x, to.y) = stored(x, y);
+        }
+    }
+    return upright;
+}
+
+} // namespace
+
+RgbImage load_image(const std::filesystem::path& file, int min_side) {
+    const std::vector<unsigned char> bytes = read_file(file);
+    const ContainerInfo info = check_container(file, bytes, min_side);
+    const int width = static_cast<int>(info.width), height = static_cast<int>(info.height);
+    if (info.kind == Container::png) // 16-bit samples keep their high byte, palettes are looked up
+        return composite_on_white(decode(file, bytes, info, STBI_rgb_alpha).get(), width, height);
+    return apply_orientation(copy_rgb(decode(file, bytes, info, STBI_rgb).get(), width, height),
+                             info.orientation);
+}
+
+GreyImage load_grey(const std::filesystem::path& file) {
+    const std::vector<unsigned char> bytes = read_file(file);
+    const ContainerInfo info = check_container(file, bytes, 1);
+    if (info.kind != Container::png) invalid(file, "is not a PNG image");
+    const int width = static_cast<int>(info.width), height = static_cast<int>(info.height);
+    const Pixels pixels = decode(file, bytes, info, STBI_rgb_alpha);
+    GreyImage image(width, height);
+    const unsigned char* rgba = pixels.get();
+    for (std::uint8_t& value : image) {
+        if (rgba[0] != rgba[1] || rgba[1] != rgba[2]) invalid(file, "has colours; values must be grey");
+        value = rgba[3] == 0 ? 0 : rgba[0];
+        rgba += 4;
+    }
+    return image;
+}
+
+} // namespace pantin

@@ -1,0 +1,42 @@
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+
+#include "core/files.hpp"
+#include "image/stb.hpp"
+#include "pantin/image.hpp"
+
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#include <stb/stb_image_write.h>
+
+namespace pantin {
+
+namespace {
+
+struct FreeBytes {
+    void operator()(unsigned char* bytes) const { std::free(bytes); }
+};
+
+template <class Pixel> std::vector<unsigned char> encode(const Grid<Pixel>& image) {
+    constexpr int channels = sizeof(Pixel);
+    static_assert(channels == 1 || channels == 3 || channels == 4);
+    if (image.empty()) throw Error(ErrorKind::internal, "an empty image cannot be encoded as PNG");
+    int length = 0;
+    const auto* data = reinterpret_cast<const unsigned char*>(image.data());
+    const std::unique_ptr<unsigned char, FreeBytes> png(stbi_write_png_to_mem(
+        data, image.width() * channels, image.width(), image.height(), channels, &length));
+    if (!png) throw Error(ErrorKind::internal, "out of memory while encoding a PNG");
+    return std::vector<unsigned char>(png.get(), png.get() + length);
+}
+
+} // namespace
+
+std::vector<unsigned char> encode_png(const GreyImage& image) { return encode(image); }
+std::vector<unsigned char> encode_png(const RgbImage& image) { return encode(image); }
+std::vector<unsigned char> encode_png(const RgbaImage& image) { return encode(image); }
+
+void save_png(const std::filesystem::path& file, const GreyImage& image) { write_file(file, encode(image)); }
+void save_png(const std::filesystem::path& file, const RgbImage& image) { write_file(file, encode(image)); }
+void save_png(const std::filesystem::path& file, const RgbaImage& image) { write_file(file, encode(image)); }
+
+} // namespace pantin
