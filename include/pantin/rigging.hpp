@@ -15,42 +15,57 @@ namespace pantin {
 
 // --- end-effector mapping --------------------------------------------------------------------------------------
 
+// M samples along the skeleton path between two end-effectors.
 struct PathSamples {
     std::vector<double> radii; // DT(p) / mean DT over the mask, at M points of equal arc length (Eq. 4.8, ERRATA 14)
-    double length = 0;         // of the path
+    double length = 0;         // of the path; in pixels, or divided by the mean DT (ERRATA 15)
 };
 double path_distance(const PathSamples& a, const PathSamples& b, double alpha); // Eq. 4.9
 
 enum class OsbForm { icdm2007, printed }; // Eq. 4.12, ERRATA 17
 struct OsbResult {
     double cost = 0;
-    std::vector<std::pair<int, int>> path;
+    std::vector<std::pair<int, int>> path; // matched (row, column), both ascending; may be empty
 };
-// costs[i][j]; jump cost κ of Eq. 4.13 unless given (≥ 0).
+// costs[i][j], rectangular; jump cost κ of Eq. 4.13 unless given (≥ 0).
 OsbResult optimal_subsequence_bijection(const std::vector<std::vector<double>>& costs, OsbForm form = OsbForm::icdm2007,
                                         double jump_cost = -1);
-// Minimum-cost assignment; costs may be rectangular. Result[i] = column of row i, −1 when unassigned.
+// Minimum-cost assignment; costs are finite and may be rectangular. Result[i] = column of row i, −1 when unassigned
+// (the shorter side is assigned completely).
 std::vector<int> hungarian(const std::vector<std::vector<double>>& costs);
 
+// The path similarity alone is weak on parts: tails meet the right part 23 % of the time (ERRATA 19). With
+// `label_aware` the assignment is found on
+//     path_weight · c / mean c + position_weight · d² + label_penalty · [other label] − prior_weight · [matched],
+// c the similarity cost of the thesis, d the distance of the two ends, each in the bounding box of its own figure,
+// and `matched` when identification matched the two. A pair of different labels is allowed only where
+// segmentation is known to mix them up (limb, tail and wing among each other; a body end in the place of the head)
+// and d ≤ mixed_reach. Pairs of one label are then put into cyclic order, so that no two limbs cross.
 struct MappingOptions {
-    int samples = 50;        // M
-    double alpha = 0.1;      // thesis 4.6
-    bool length_in_pixels = false; // `thesis`; default divides by the mean DT (ERRATA 15)
+    int samples = 50;              // M
+    double alpha = 0.1;            // thesis 4.6
+    bool length_in_pixels = false; // `thesis`: true; default divides by the mean DT (ERRATA 15)
     OsbForm osb = OsbForm::icdm2007;
-    double label_penalty = 0; // filled by the default preset (ERRATA 19)
-    double prior_weight = 0;  // of the vertex matching of identification (ERRATA 19)
+    bool label_aware = true;       // `thesis`: false, none of the following is used
+    double path_weight = 0.5;
+    double position_weight = 4;
+    double label_penalty = 3;
+    double prior_weight = 0.5;
+    double mixed_reach = 0.4;
 };
 struct EndPair {
     int end = 0;           // skeleton vertex
     int reference_end = 0; // reference node
-    double cost = 0;
+    double cost = 0;       // its entry of `costs`
 };
 struct Mapping {
     std::vector<int> ends;           // the character's end-effectors, clockwise (Algorithm 4.2)
     std::vector<int> reference_ends; // the reference's, clockwise
-    std::vector<std::vector<double>> costs; // [ends][reference_ends]
+    std::vector<std::vector<double>> costs; // [ends][reference_ends], what the assignment minimises
     std::vector<EndPair> pairs;      // ascending by end
+    std::vector<int> unmatched_ends; // skeleton vertices without a partner, ascending
 };
+// `silhouette` has the size of the graph; `match` is the candidate that identification chose for `reference`.
 Mapping map_end_effectors(const SkeletonGraph& graph, const Mask& silhouette, const ReferenceSkeleton& reference,
                           const Candidate& match, const MappingOptions& options = {});
 

@@ -1,0 +1,93 @@
+// The simple shape of a reference skeleton (thesis 4.5: "for each of the characters we define a simple
+// shape").
+#include <algorithm>
+
+#include "pantin/image.hpp"
+#include "rigging/skeleton_paths.hpp"
+
+namespace pantin {
+namespace {
+
+constexpr int canvas = 321, margin = 40;
+constexpr double span = canvas - 1 - 2 * margin;
+
+struct Disc {
+    Point2d centre;
+    double radius;
+};
+
+Disc disc_of(const ReferenceNode& node, bool mirrored) {
+    return {{margin + span * (mirrored ? 1 - node.x : node.x), margin + span * node.y}, span * node.r};
+}
+
+void fill_disc(Mask& mask, const Disc& disc) {
+    const auto [c, r] = disc;
+    const int reach = static_cast<int>(std::ceil(r));
+    const int cx = static_cast<int>(std::floor(c.x)), cy = static_cast<int>(std::floor(c.y));
+    for (int y = std::max(0, cy - reach); y <= std::min(canvas - 1, cy + reach + 1); ++y)
+        for (int x = std::max(0, cx - reach); x <= std::min(canvas - 1, cx + reach + 1); ++x)
+            if ((x - c.x) * (x - c.x) + (y - c.y) * (y - c.y) <= r * r) mask(x, y) = 1;
+}
+
+// A disc at every half pixel along the edge.
+void fill_edge(Mask& mask, const Disc& a, const Disc& b) {
+    const int steps = std::max(1, static_cast<int>(std::ceil(2 * distance(a.centre, b.centre))));
+    for (int k = 0; k <= steps; ++k) {
+        const double t = static_cast<double>(k) / steps;
+        fill_disc(mask, {a.centre + t * (b.centre - a.centre), a.radius + t * (b.radius - a.radius)});
+    }
+}
+
+SkeletonEdge draw_edge(int u, int v, const Disc& a, const Disc& b) {
+    SkeletonEdge edge{u, v, 0, {}};
+    const double reach = std::max(std::abs(b.centre.x - a.centre.x), std::abs(b.centre.y - a.centre.y));
+    const int steps = std::max(1, static_cast<int>(std::ceil(reach)));
+    for (int k = 0; k <= steps; ++k) {
+        const Point2d p = a.centre + (static_cast<double>(k) / steps) * (b.centre - a.centre);
+        const Point2i pixel{static_cast<int>(std::floor(p.x + 0.5)), static_cast<int>(std::floor(p.y + 0.5))};
+        if (!edge.pixels.empty() && edge.pixels.back() == pixel) continue;
+        if (!edge.pixels.empty()) edge.length += distance(to_double(edge.pixels.back()), to_double(pixel));
+        edge.pixels.push_back(pixel);
+    }
+    return edge;
+}
+
+} // namespace
+
+Figure make_figure(SkeletonGraph graph, const Mask& shape) {
+    Figure figure{std::move(graph), squared_distance_transform(shape), 0};
+    double sum = 0;
+    long count = 0;
+    for (const int squared : figure.squared_distance) {
+        if (squared <= 0) continue;
+        sum += std::sqrt(static_cast<double>(squared));
+        ++count;
+    }
+    figure.mean_distance = count > 0 ? sum / static_cast<double>(count) : 1;
+    return figure;
+}
+
+Figure draw_reference(const ReferenceSkeleton& reference, bool mirrored) {
+    Mask mask(canvas, canvas);
+    SkeletonGraph graph;
+    graph.width = graph.height = canvas;
+    std::vector<Disc> discs;
+    std::vector<int> degree(reference.nodes.size());
+    for (const auto& [u, v] : reference.edges) {
+        ++degree[u];
+        ++degree[v];
+    }
+    for (std::size_t i = 0; i < reference.nodes.size(); ++i) {
+        const ReferenceNode& node = reference.nodes[i];
+        discs.push_back(disc_of(node, mirrored));
+        const Point2d c = discs.back().centre;
+        graph.vertices.push_back({std::floor(c.x + 0.5), std::floor(c.y + 0.5), node.label, degree[i] == 1});
+    }
+    for (const auto& [u, v] : reference.edges) {
+        fill_edge(mask, discs[u], discs[v]);
+        graph.edges.push_back(draw_edge(u, v, discs[u], discs[v]));
+    }
+    return make_figure(std::move(graph), mask);
+}
+
+} // namespace pantin
