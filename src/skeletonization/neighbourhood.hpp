@@ -1,0 +1,37 @@
+// The eight neighbours of a pixel as the bits of a byte, in the order P_2 … P_9 of Figure 4.10: north, then
+// clockwise.
+#pragma once
+
+#include <array>
+#include <bit>
+
+#include "pantin/grid.hpp"
+#include "pantin/point.hpp"
+
+namespace pantin {
+
+inline constexpr std::array<Point2i, 8> neighbour_offsets = {
+    {{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}}};
+
+inline unsigned neighbourhood(const Mask& image, int x, int y) {
+    unsigned bits = 0;
+    for (unsigned k = 0; k < 8; ++k)
+        bits |= static_cast<unsigned>(
+                    image.value_or(x + neighbour_offsets[k].x, y + neighbour_offsets[k].y, 0) != 0)
+                << k;
+    return bits;
+}
+
+inline int neighbour_count(unsigned neighbourhood) { return std::popcount(neighbourhood); }
+
+// Yokoi's connectivity number for an 8-connected foreground (Yokoi, Toriwaki & Fukumura 1975): the number of
+// 8-components of the neighbours that an edge neighbour of background separates. A pixel whose number is 1
+// can be removed without changing how many components and holes there are.
+inline int connectivity_number(unsigned neighbourhood) {
+    const auto p = [neighbourhood](unsigned k) { return (neighbourhood >> (k & 7u)) & 1u; };
+    int number = 0;
+    for (unsigned k = 0; k < 8; k += 2) number += !p(k) && (p(k + 1) || p(k + 2));
+    return number;
+}
+
+} // namespace pantin

@@ -1,0 +1,72 @@
+// Step 3 as a whole (thesis 4.4): silhouette → borders → Voronoi skeleton → thinning → graph → heuristics.
+#include "pantin/skeletonization.hpp"
+
+#include <algorithm>
+
+#include "pantin/image.hpp"
+#include "skeletonization/connection.hpp"
+#include "skeletonization/voronoi_skeleton.hpp"
+
+namespace pantin {
+namespace {
+
+constexpr double reference_side = 321; // pixel constants of the thesis hold at this size
+
+Mask foreground(const LabelMap& labels) {
+    Mask mask(labels.width(), labels.height());
+    for (std::size_t i = 0; i < labels.size(); ++i) mask.data()[i] = labels.data()[i] != 0;
+    return mask;
+}
+
+long area(const Mask& mask) { return std::count(mask.begin(), mask.end(), 1); }
+
+// The largest component, holes up to the share of its area filled.
+Mask silhouette(const LabelMap& labels, double fill_holes_share) {
+    const Mask largest = largest_component(foreground(labels));
+    const double limit = fill_holes_share * static_cast<double>(area(largest));
+    if (limit < 1) return largest;
+    return fill_holes(largest, fill_holes_share >= 1 ? max_image_pixels : static_cast<long>(limit));
+}
+
+// Every pixel of the mask with a part: filled holes take the nearest one.
+LabelMap labels_on(const Mask& mask, const LabelMap& labels) {
+    const Grid<int> nearest = nearest_seed(foreground(labels));
+    LabelMap complete(mask.width(), mask.height());
+    for (std::size_t i = 0; i < mask.size(); ++i)
+        if (mask.data()[i]) complete.data()[i] = labels.data()[nearest.data()[i]];
+    return complete;
+}
+
+void find_voronoi(Skeletonization& s, const BorderSites& sites, Residual residual) {
+    for (const VoronoiEdge& edge : voronoi_edges(sites.points, delaunay(sites.points))) {
+        if (edge.from == edge.to || !edge_inside(edge, s.mask)) continue;
+        s.voronoi.push_back(edge);
+        s.residuals.push_back(residual_between(sites, edge.site_a, edge.site_b, residual));
+    }
+}
+
+} // namespace
+
+Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions& options) {
+    const double scale = std::max(labels.width(), labels.height()) / reference_side;
+    const double threshold = options.residual_threshold * scale;
+
+    Skeletonization s;
+    s.mask = silhouette(labels, options.fill_holes_share);
+    if (area(s.mask) == 0) throw CharacterRejected("skeletonize", "the silhouette is empty");
+    s.contour = follow_borders(s.mask);
+    const BorderSites sites = border_sites(s.contour, s.mask.width(), s.mask.height());
+    find_voronoi(s, sites, options.residual);
+    const Mask ridges = rasterise(s.voronoi, s.residuals, sites, s.mask, threshold);
+    s.voronoi_raster = fill_spurious_cycles(bridge_gaps(ridges, s.mask), s.mask);
+    // Zhang–Suen deletes a 2×2 square as a whole; the shape then keeps its deepest pixel.
+    s.thinned = bridge_gaps(zhang_suen(s.voronoi_raster), s.mask);
+    s.skeleton = remove_redundant_pixels(s.thinned);
+    s.raw = extract_graph(s.skeleton, labels_on(s.mask, labels));
+    s.after_h1 = apply_h1(s.raw);
+    s.graph = apply_h2(s.after_h1, options.merge_distance * scale);
+    if (s.graph.edges.empty()) throw CharacterRejected("skeletonize", "the skeleton is a single point");
+    return s;
+}
+
+} // namespace pantin
