@@ -28,6 +28,7 @@ void require_regular(const fs::path& file) {
     const fs::file_status status = fs::status(file, code);
     if (!fs::exists(status)) throw Error(ErrorKind::input, file.string() + ": no such file");
     if (fs::is_directory(status)) throw Error(ErrorKind::input, file.string() + ": is a folder, not a file");
+    if (!fs::is_regular_file(status)) throw Error(ErrorKind::input, file.string() + ": is not a regular file");
 }
 
 template <class Bytes> Bytes read_all(const fs::path& file, std::size_t limit) {

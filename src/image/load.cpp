@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "core/files.hpp"
+#include "core/file.hpp"
 #include "image/containers.hpp"
 #include "image/stb.hpp"
 #include "pantin/image.hpp"

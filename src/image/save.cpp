@@ -2,7 +2,7 @@
 #include <cstring>
 #include <memory>
 
-#include "core/files.hpp"
+#include "core/file.hpp"
 #include "image/stb.hpp"
 #include "pantin/image.hpp"
 
