@@ -1,0 +1,108 @@
+// The whole way from a page to animated characters, and each step of it alone on a character's folder.
+//
+// Files and folders: DESIGN of the formats in docs/formats.md. Every step keeps what it makes in memory and
+// writes it; a step that runs alone reads the files of the steps before it. Both ways give the same bytes.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "pantin/animation.hpp"
+#include "pantin/detection.hpp"
+#include "pantin/error.hpp"
+#include "pantin/identification.hpp"
+#include "pantin/rigging.hpp"
+#include "pantin/segmentation.hpp"
+#include "pantin/skeletonization.hpp"
+
+namespace pantin {
+
+// --- options
+// ---------------------------------------------------------------------------------------------------
+
+struct AnimationOptions {
+    int samples = 24; // key poses of a clip in character.glb and between which frames are interpolated
+};
+
+// The options of all steps. Their names in a configuration file are `<group>.<field>` (docs/formats.md).
+struct Options {
+    DetectionOptions detection;
+    SegmentationOptions segmentation;
+    SkeletonizationOptions skeletonization;
+    IdentificationOptions identification;
+    RigOptions rigging;
+    AnimationOptions animation;
+};
+
+// "default" or "thesis" (the paper to the letter where it can be, with the readings of docs/errata.md).
+// Error(usage) for another name.
+Options make_preset(std::string_view name);
+// Sets the options that a JSON file names, as `{"skeletonization": {"residual_threshold": 20}}` or as
+// `{"skeletonization.residual_threshold": 20}`. Error(input) names the file and the option.
+void apply_config(Options& options, const std::filesystem::path& file);
+// Every option with its value as JSON text, in a fixed order.
+std::vector<std::pair<std::string, std::string>> list_options(const Options& options);
+
+// --- settings of a run
+// -------------------------------------------------------------------------------------------
+
+struct RenderRequest {
+    std::string clip = "all";         // a clip of the reference, or all
+    double fps = 25;                  // 1 … 100
+    std::vector<std::string> formats; // of webp, gif, png; empty: webp, and gif for the first clip
+    RenderOptions picture;
+};
+
+struct Settings {
+    Options options;
+    std::filesystem::path weights;    // folder of segmenter.safetensors; empty: compiled in
+    std::filesystem::path references; // folder of more reference skeletons; empty: none
+    int threads = 1;                  // results do not depend on it
+    bool trace = false;               // intermediate products are written, too
+    RenderRequest render;
+    // Called before each step when set; `share` of the work done so far, 0 to 1.
+    std::function<void(const std::string& what, double share)> progress;
+};
+
+// --- the page
+// ------------------------------------------------------------------------------------------------------
+
+struct PageCharacter {
+    std::string folder; // name below the page's folder, "character-1"
+    Box box;            // page pixels
+    double scale = 1, score = 0;
+    std::string status = "ok"; // or "step: reason"
+};
+struct Page {
+    std::string source; // file name of the picture
+    int width = 0, height = 0;
+    std::string detector = "contour";
+    std::vector<PageCharacter> characters;
+};
+Page read_page(const std::filesystem::path& file);
+
+// --- the steps
+// ------------------------------------------------------------------------------------------------------
+
+// The whole pipeline: `image` to out/page.json and one folder a character. A character that cannot go on
+// keeps the files it has and says why in its status. Throws Error(not_animated) when none could be animated,
+// after page.json is written; Error(no_character) when there is none.
+Page animate(const std::filesystem::path& image, const std::filesystem::path& out, const Settings& settings);
+
+// Step 1. Replaces the characters of a former run in `out`.
+Page detect_page(const std::filesystem::path& image, const std::filesystem::path& out,
+                 const Settings& settings);
+
+// Steps 2 to 6 on a character's folder. They keep the status in the page.json beside the folder, if there is
+// one, up to date, and throw Error(not_animated) when the character cannot go on.
+void segment_folder(const std::filesystem::path& folder, const Settings& settings);
+void skeletonize_folder(const std::filesystem::path& folder, const Settings& settings);
+void identify_folder(const std::filesystem::path& folder, const Settings& settings);
+void rig_folder(const std::filesystem::path& folder, const Settings& settings);
+void render_folder(const std::filesystem::path& folder, const Settings& settings);
+
+} // namespace pantin

@@ -1,0 +1,74 @@
+// pantin animate IMAGE... -o DIR
+#include <map>
+#include <memory>
+
+#include "cli/command.hpp"
+
+namespace pantin::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Arguments {
+    CommonOptions common;
+    RenderFlags render;
+    std::vector<std::string> images;
+    std::string out;
+};
+
+// One page goes to DIR itself, several to DIR/<name of the picture without its ending>; the second of a name
+// gets -2.
+std::vector<fs::path> page_folders(const Arguments& arguments) {
+    if (arguments.images.size() == 1) return {arguments.out};
+    std::vector<fs::path> folders;
+    std::map<std::string, int> seen;
+    for (const fs::path image : arguments.images) {
+        const std::string stem = image.stem().string();
+        const int count = ++seen[stem];
+        folders.push_back(fs::path(arguments.out) / (count == 1 ? stem : stem + "-" + std::to_string(count)));
+    }
+    return folders;
+}
+
+void animate_page(const fs::path& image, const fs::path& folder, const Arguments& arguments,
+                  const Settings& settings) {
+    const Page page = animate(image, folder, settings);
+    for (const PageCharacter& character : page.characters)
+        print_result(arguments.common, (folder / character.folder).string() + ": " + character.status);
+}
+
+// A bad page does not keep the others from being done. 0 when a character of any page was animated, else the
+// code of the first page.
+int run_animate(const Arguments& arguments) {
+    const Settings settings = make_settings(arguments.common, arguments.render);
+    const std::vector<fs::path> folders = page_folders(arguments);
+    int first_code = 0;
+    bool any = false;
+    for (std::size_t i = 0; i < folders.size(); ++i) {
+        try {
+            animate_page(arguments.images[i], folders[i], arguments, settings);
+            any = true;
+        } catch (const Error& error) {
+            print_error(error.what());
+            if (first_code == 0) first_code = static_cast<int>(error.kind());
+            if (error.kind() == ErrorKind::weights || error.kind() == ErrorKind::output) return first_code;
+        }
+    }
+    return any ? 0 : first_code;
+}
+
+} // namespace
+
+void add_animate(CLI::App& app, Run& run) {
+    const auto arguments = std::make_shared<Arguments>();
+    CLI::App* command = app.add_subcommand("animate", "the whole pipeline: pages to animated characters");
+    command->add_option("IMAGE", arguments->images, "PNG or JPEG pages; several go to DIR/<name>/")
+        ->required();
+    command->add_option("-o,--output", arguments->out, "folder for the results")->required();
+    add_render_options(*command, arguments->render);
+    add_common_options(*command, arguments->common);
+    command->callback([arguments, &run] { run = [arguments] { return run_animate(*arguments); }; });
+}
+
+} // namespace pantin::cli

@@ -1,0 +1,162 @@
+#include "cli/command.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include <unistd.h>
+
+#include "pantin/export.hpp"
+
+namespace pantin::cli {
+
+namespace {
+
+bool bar_shown = false;
+
+void show_progress(const std::string& what, double share) {
+    constexpr int width = 30;
+    const int full = static_cast<int>(std::floor(share * width));
+    const std::string bar = std::string(static_cast<std::size_t>(full), '#') +
+                            std::string(static_cast<std::size_t>(width - full), '.');
+    std::fprintf(stderr, "\r\033[K[%s] %3.0f %% %s", bar.c_str(), 100 * share, what.c_str());
+    std::fflush(stderr);
+    bar_shown = true;
+}
+
+int hex_byte(const std::string& text, std::size_t at) {
+    int value = -1;
+    const char* begin = text.data() + at;
+    const auto result = std::from_chars(begin, begin + 2, value, 16);
+    return result.ptr == begin + 2 ? value : -1;
+}
+
+// transparent, white, black, #rrggbb or #rrggbbaa.
+Rgba8 parse_colour(const std::string& text) {
+    if (text == "transparent") return {0, 0, 0, 0};
+    if (text == "white") return {255, 255, 255, 255};
+    if (text == "black") return {0, 0, 0, 255};
+    std::array<int, 4> values{0, 0, 0, 255};
+    const bool shape = text.size() == 7 || text.size() == 9;
+    bool valid = shape && text[0] == '#';
+    for (std::size_t i = 0; valid && 1 + 2 * i < text.size(); ++i) {
+        values[i] = hex_byte(text, 1 + 2 * i);
+        valid = values[i] >= 0;
+    }
+    if (!valid)
+        throw Error(ErrorKind::usage,
+                    "--background: '" + text + "' is not transparent, white, black, #rrggbb or #rrggbbaa");
+    return {static_cast<std::uint8_t>(values[0]), static_cast<std::uint8_t>(values[1]),
+            static_cast<std::uint8_t>(values[2]), static_cast<std::uint8_t>(values[3])};
+}
+
+void check_formats(const std::vector<std::string>& formats) {
+    for (const std::string& format : formats) {
+        if (format != "webp" && format != "gif" && format != "png")
+            throw Error(ErrorKind::usage, "--format: '" + format + "' is not webp, gif or png");
+        if (format == "webp" && !webp_available())
+            throw Error(ErrorKind::usage, "--format webp: this pantin was built without WebP");
+        if (format == "gif" && !gif_available())
+            throw Error(ErrorKind::usage, "--format gif: this pantin was built without GIF");
+    }
+}
+
+} // namespace
+
+void add_common_options(CLI::App& command, CommonOptions& options) {
+    command
+        .add_option("--preset", options.preset, "default (best results) or thesis (the paper to the letter)")
+        ->capture_default_str();
+    command.add_option("--config", options.config, "JSON file that sets any option by its name");
+    command
+        .add_option("--weights", options.weights,
+                    "folder with the networks' weights (default: those compiled in)")
+        ->envname("PANTIN_WEIGHTS");
+    command.add_option("--references", options.references, "folder with more reference skeletons");
+    command
+        .add_option("--threads", options.threads,
+                    "number of threads (default: all cores); results do not depend on it")
+        ->check(CLI::Range(1, 256));
+    command.add_flag("--trace", options.trace, "write intermediate products, too");
+    command.add_flag("--quiet", options.quiet, "print errors only");
+}
+
+void add_render_options(CLI::App& command, RenderFlags& flags) {
+    command.add_option("--clip", flags.clip, "a clip of the reference, or all")->capture_default_str();
+    command.add_option("--fps", flags.fps, "frames per second")
+        ->check(CLI::Range(1.0, 100.0))
+        ->capture_default_str();
+    command.add_option("--size", flags.size, "longer side of the frames in pixels")
+        ->check(CLI::Range(16, 4096))
+        ->capture_default_str();
+    command
+        .add_option("--format", flags.formats, "webp, gif, png (default: webp, and gif of the first clip)")
+        ->delimiter(',');
+    command.add_option("--background", flags.background, "transparent, white, black, #rrggbb or #rrggbbaa")
+        ->capture_default_str();
+    command.add_flag("--perspective", flags.perspective, "perspective camera instead of an orthographic one");
+}
+
+Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
+    Settings settings;
+    settings.options = make_preset(options.preset);
+    if (!options.config.empty()) apply_config(settings.options, options.config);
+    settings.weights = options.weights;
+    settings.references = options.references;
+    const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+    settings.threads = options.threads > 0 ? options.threads : static_cast<int>(std::min(cores, 256u));
+    settings.trace = options.trace;
+    check_formats(flags.formats);
+    settings.render.clip = flags.clip;
+    settings.render.fps = flags.fps;
+    settings.render.formats = flags.formats;
+    settings.render.picture.size = flags.size;
+    settings.render.picture.perspective = flags.perspective;
+    settings.render.picture.background = parse_colour(flags.background);
+    if (!options.quiet && isatty(STDERR_FILENO)) settings.progress = show_progress;
+    return settings;
+}
+
+void clear_progress() {
+    if (bar_shown) std::fprintf(stderr, "\r\033[K");
+    bar_shown = false;
+}
+
+void print_error(const std::string& message) {
+    clear_progress();
+    std::string line = message;
+    // File names and broken files may bring line feeds and control characters along.
+    for (char& c : line)
+        if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';
+    while (!line.empty() && line.back() == ' ') line.pop_back();
+    std::fprintf(stderr, "pantin: %s\n", line.c_str());
+}
+
+void print_result(const CommonOptions& options, const std::string& line) {
+    clear_progress();
+    if (!options.quiet) std::printf("%s\n", line.c_str());
+}
+
+void add_folder_command(CLI::App& app, Run& run, const std::string& name, const std::string& description,
+                        FolderStep step) {
+    struct Arguments {
+        CommonOptions common;
+        std::string folder;
+    };
+    const auto arguments = std::make_shared<Arguments>();
+    CLI::App* command = app.add_subcommand(name, description);
+    command->add_option("CHARACTER_DIR", arguments->folder, "folder of the character")->required();
+    add_common_options(*command, arguments->common);
+    command->callback([arguments, step, &run] {
+        run = [arguments, step] {
+            step(arguments->folder, make_settings(arguments->common));
+            clear_progress();
+            return 0;
+        };
+    });
+}
+
+} // namespace pantin::cli

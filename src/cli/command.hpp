@@ -1,0 +1,59 @@
+// What the subcommands share: common options, the bar, the way errors reach the user. No algorithm lives in
+// this room.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "pantin/pipeline.hpp"
+
+namespace pantin::cli {
+
+// The exit code of the command line. `run` is set by the subcommand that the user chose.
+using Run = std::function<int()>;
+
+struct CommonOptions {
+    std::string preset = "default";
+    std::string config, weights, references;
+    int threads = 0; // 0: all cores
+    bool trace = false, quiet = false;
+};
+struct RenderFlags {
+    std::string clip = "all", background = "transparent";
+    double fps = 25;
+    int size = 512;
+    std::vector<std::string> formats;
+    bool perspective = false;
+};
+
+void add_common_options(CLI::App& command, CommonOptions& options);
+void add_render_options(CLI::App& command, RenderFlags& flags);
+
+// Preset, then configuration file, then the other options. Error(usage) or Error(input).
+Settings make_settings(const CommonOptions& options, const RenderFlags& flags = {});
+
+// One line on standard error, whatever the message holds.
+void print_error(const std::string& message);
+// Takes the progress bar off the terminal.
+void clear_progress();
+// A result on standard output, unless --quiet.
+void print_result(const CommonOptions& options, const std::string& line);
+
+// One file each.
+void add_animate(CLI::App& app, Run& run);
+void add_detect(CLI::App& app, Run& run);
+void add_segment(CLI::App& app, Run& run);
+void add_skeletonize(CLI::App& app, Run& run);
+void add_identify(CLI::App& app, Run& run);
+void add_rig(CLI::App& app, Run& run);
+void add_render(CLI::App& app, Run& run);
+
+// A subcommand `name` that takes a CHARACTER_DIR and does `step` on it.
+using FolderStep = void (*)(const std::filesystem::path& folder, const Settings& settings);
+void add_folder_command(CLI::App& app, Run& run, const std::string& name, const std::string& description,
+                        FolderStep step);
+
+} // namespace pantin::cli

@@ -1,0 +1,86 @@
+// The program: parses the command line, runs one subcommand, turns errors into one line and an exit code.
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <sstream>
+
+#include "cli/command.hpp"
+
+namespace {
+
+using namespace pantin;
+
+constexpr int exit_internal = static_cast<int>(ErrorKind::internal);
+constexpr int exit_usage = static_cast<int>(ErrorKind::usage);
+constexpr int exit_output = static_cast<int>(ErrorKind::output);
+
+constexpr const char* exit_codes =
+    "Exit codes: 0 done, 1 internal error, 2 usage, 3 input unreadable or invalid,\n"
+    "4 no character found, 5 weights missing or invalid, 6 output cannot be written,\n"
+    "7 characters found but none could be animated.";
+
+// Help and version go to standard output, everything else that CLI11 reports is a usage error.
+int report_parse(const CLI::App& app, const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) {
+        cli::print_error(std::string(error.what()) + " (pantin --help)");
+        return exit_usage;
+    }
+    std::ostringstream out, unused;
+    app.exit(error, out, unused);
+    std::fputs(out.str().c_str(), stdout);
+    return 0;
+}
+
+int run_command_line(int argc, char** argv) {
+    CLI::App app("pantin: a drawing of a character goes in, an animated character comes out", "pantin");
+    cli::Run run;
+    app.set_version_flag("--version", std::string("pantin " PANTIN_VERSION));
+    app.require_subcommand(1);
+    app.footer(exit_codes);
+    cli::add_animate(app, run);
+    cli::add_detect(app, run);
+    cli::add_segment(app, run);
+    cli::add_skeletonize(app, run);
+    cli::add_identify(app, run);
+    cli::add_rig(app, run);
+    cli::add_render(app, run);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return report_parse(app, error);
+    }
+    return run();
+}
+
+int run_and_report(int argc, char** argv) {
+    try {
+        return run_command_line(argc, argv);
+    } catch (const Error& error) {
+        cli::print_error(error.what());
+        return static_cast<int>(error.kind());
+    } catch (const CharacterRejected& rejected) {
+        cli::print_error(rejected.step() + ": " + rejected.what());
+        return static_cast<int>(ErrorKind::not_animated);
+    } catch (const std::bad_alloc&) {
+        cli::print_error("out of memory");
+        return exit_internal;
+    } catch (const std::exception& error) {
+        cli::print_error(std::string("internal error: ") + error.what());
+        return exit_internal;
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    // A reader that goes away (`pantin --help | head -1`) is no error, and no reason to stop before the files
+    // are done.
+    std::signal(SIGPIPE, SIG_IGN);
+    const int code = run_and_report(argc, argv);
+    errno = 0;
+    if (std::fflush(stdout) == 0 || errno == EPIPE || code != 0) return code;
+    cli::print_error("standard output: cannot be written");
+    return exit_output;
+}

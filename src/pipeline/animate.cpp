@@ -1,0 +1,82 @@
+// The driver: from a page to animated characters, one step after the other. The file to read first.
+#include "pantin/pipeline.hpp"
+#include "pipeline/pages.hpp"
+#include "pipeline/stages.hpp"
+
+namespace pantin {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int steps = 5; // of a character
+
+// Steps 2 to 6 on one character. Returns its status: "ok", or the step and the reason why it cannot go on.
+// `progress` announces a step by its name and number.
+std::string animate_character(Character& character, Workshop& workshop,
+                              const std::function<void(const char*, int)>& progress) {
+    try {
+        // Step 2 (thesis 4.3): which pixels are head, body, limb, tail, wing.
+        progress("segment", 0);
+        run_segment(character, workshop);
+
+        // Step 3 (4.4): the Voronoi skeleton of the silhouette as a labelled graph.
+        progress("skeletonize", 1);
+        run_skeletonize(character, workshop);
+
+        // Step 4 (4.5): the reference skeleton that is nearest by geometric graph distance.
+        progress("identify", 2);
+        run_identify(character, workshop);
+
+        // Step 5 (4.6): end-effectors matched, mesh and skin weights made.
+        progress("rig", 3);
+        run_rig(character, workshop);
+
+        // Step 6 (4.6, 6.1): the reference's clips on the character, frame by frame.
+        progress("render", 4);
+        run_render(character, workshop);
+        return "ok";
+    } catch (const CharacterRejected& rejected) {
+        return rejected.step() + ": " + rejected.what();
+    }
+}
+
+} // namespace
+
+Page animate(const fs::path& image, const fs::path& out, const Settings& settings) {
+    Workshop workshop(settings);
+    // Weights and references first: when they are bad nothing is written.
+    workshop.segmenter();
+    workshop.references();
+
+    // Step 1 (4.2): the page to characters.
+    DetectedPage detected = run_detect(image, out, workshop);
+
+    int animated = 0;
+    std::string reasons;
+    for (std::size_t i = 0; i < detected.characters.size(); ++i) {
+        PageCharacter& entry = detected.page.characters[i];
+        Character character = std::move(detected.characters[i]);
+        const double total = 1.0 + steps * static_cast<double>(detected.characters.size());
+        entry.status = animate_character(character, workshop, [&](const char* step, int number) {
+            const double done = 1.0 + steps * static_cast<double>(i) + number;
+            workshop.progress(entry.folder + ": " + step, done / total);
+        });
+        if (entry.status == "ok")
+            ++animated;
+        else
+            reasons += (reasons.empty() ? "" : "; ") + entry.folder + ": " + entry.status;
+    }
+    write_page(out, detected.page);
+    if (animated == 0)
+        throw Error(ErrorKind::not_animated,
+                    image.string() + ": no character could be animated (" + reasons + ")");
+    return detected.page;
+}
+
+Page detect_page(const fs::path& image, const fs::path& out, const Settings& settings) {
+    Workshop workshop(settings);
+    return run_detect(image, out, workshop).page;
+}
+
+} // namespace pantin

@@ -1,0 +1,97 @@
+#include "pipeline/character.hpp"
+
+#include "core/file.hpp"
+#include "pantin/image.hpp"
+#include "pipeline/json_files.hpp"
+
+namespace pantin {
+
+namespace {
+
+std::string size_text(int width, int height) { return std::to_string(width) + "×" + std::to_string(height); }
+
+[[noreturn]] void fail_size(const std::filesystem::path& file, int width, int height,
+                            const std::string& other, int other_width, int other_height) {
+    throw Error(ErrorKind::input, file.string() + ": is " + size_text(width, height) + " pixels, but " +
+                                      other + " is " + size_text(other_width, other_height));
+}
+
+void check_labels(const LabelMap& labels, const std::filesystem::path& file) {
+    for (int y = 0; y < labels.height(); ++y)
+        for (int x = 0; x < labels.width(); ++x)
+            if (labels(x, y) >= label_count)
+                throw Error(ErrorKind::input, file.string() + ": pixel (" + std::to_string(x) + ", " +
+                                                  std::to_string(y) + ") has the value " +
+                                                  std::to_string(labels(x, y)) + ", labels are 0 to " +
+                                                  std::to_string(label_count - 1));
+}
+
+} // namespace
+
+const RgbImage& drawing_of(Character& character) {
+    if (!character.drawing) character.drawing = load_image(character.folder / "drawing.png", 1);
+    return *character.drawing;
+}
+
+const Mask& mask_of(Character& character) {
+    if (!character.mask) {
+        Mask mask = load_grey(character.folder / "mask.png");
+        for (std::uint8_t& pixel : mask) pixel = pixel >= 128 ? 1 : 0;
+        character.mask = std::move(mask);
+    }
+    return *character.mask;
+}
+
+const LabelMap& labels_of(Character& character) {
+    if (!character.labels) {
+        const std::filesystem::path file = character.folder / "labels.png";
+        LabelMap labels = load_grey(file);
+        const Mask& mask = mask_of(character);
+        if (labels.width() != mask.width() || labels.height() != mask.height())
+            fail_size(file, labels.width(), labels.height(), "mask.png", mask.width(), mask.height());
+        check_labels(labels, file);
+        character.labels = std::move(labels);
+    }
+    return *character.labels;
+}
+
+const SkeletonGraph& skeleton_of(Character& character) {
+    if (!character.skeleton) {
+        const std::filesystem::path file = character.folder / "skeleton.json";
+        SkeletonGraph graph = skeleton_from_json(read_text(file), file.string());
+        const LabelMap& labels = labels_of(character);
+        if (graph.width != labels.width() || graph.height != labels.height())
+            fail_size(file, graph.width, graph.height, "labels.png", labels.width(), labels.height());
+        character.skeleton = std::move(graph);
+    }
+    return *character.skeleton;
+}
+
+const Identification& identification_of(Character& character, Workshop& workshop) {
+    if (!character.identification) {
+        const std::filesystem::path file = character.folder / "identification.json";
+        character.identification = identification_from_json(read_text(file), file.string(),
+                                                            skeleton_of(character), workshop.references());
+    }
+    return *character.identification;
+}
+
+const Rig& rig_of(Character& character, Workshop& workshop) {
+    if (!character.rig) {
+        const std::filesystem::path file = character.folder / "weights.txt";
+        const std::string text = read_text(file);
+        Rig made = rig(skeleton_of(character), labels_of(character), identification_of(character, workshop),
+                       workshop.references(), workshop.options().rigging);
+        made.weights = weights_from_text(text, file.string(), made);
+        character.rig = std::move(made);
+    }
+    return *character.rig;
+}
+
+GreyImage to_grey(const Mask& mask) {
+    GreyImage grey = mask;
+    for (std::uint8_t& pixel : grey) pixel = pixel != 0 ? 255 : 0;
+    return grey;
+}
+
+} // namespace pantin

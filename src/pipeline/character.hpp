@@ -1,0 +1,39 @@
+// A character on its way through the steps: what the steps before have made, in memory or else in its folder.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "pipeline/workshop.hpp"
+
+namespace pantin {
+
+struct Character {
+    std::filesystem::path folder;
+    std::optional<RgbImage> drawing;
+    std::optional<Mask> mask;
+    std::optional<LabelMap> labels;
+    std::optional<SkeletonGraph> skeleton;
+    std::optional<Identification> identification;
+    std::optional<Rig> rig;
+};
+
+// What a step needs, read from the folder when it is not in memory. Error(input) names the file that is
+// missing, invalid, or does not fit the others.
+const RgbImage& drawing_of(Character& character);
+const Mask& mask_of(Character& character);              // working size
+const LabelMap& labels_of(Character& character);        // of the mask's size
+const SkeletonGraph& skeleton_of(Character& character); // of the labels' size
+const Identification& identification_of(Character& character, Workshop& workshop);
+// Rigged anew from skeleton, labels and identification (a matter of milliseconds); the weights are those of
+// weights.txt, so that weights painted elsewhere can be put there.
+const Rig& rig_of(Character& character, Workshop& workshop);
+
+// Masks have 0 and 255 in files.
+GreyImage to_grey(const Mask& mask);
+
+// The weights of weights.txt for a rig of these bones and this many vertices.
+std::vector<VertexWeights> weights_from_text(const std::string& text, const std::string& file,
+                                             const Rig& rig);
+
+} // namespace pantin

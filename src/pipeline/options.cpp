@@ -1,0 +1,167 @@
+// The two presets, and every option by its name in a configuration file.
+#include <algorithm>
+#include <map>
+
+#include <nlohmann/json.hpp>
+
+#include "core/decimal.hpp"
+#include "core/file.hpp"
+#include "core/json.hpp"
+#include "core/json_reader.hpp"
+#include "pantin/pipeline.hpp"
+
+namespace pantin {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Calls visit(name, field, low, high) for numbers and visit(name, field, names) for choices, in a fixed
+// order.
+template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visit) {
+    visit("detection.working_size", o.working_size, 64, 2048);
+    visit("detection.max_characters", o.max_characters, 1, 64);
+}
+
+template <class Visitor> void visit_skeletonization(SkeletonizationOptions& o, Visitor& visit) {
+    visit("skeletonization.residual", o.residual, {"arc", "chord"});
+    visit("skeletonization.residual_threshold", o.residual_threshold, 0, 10000);
+    visit("skeletonization.merge_distance", o.merge_distance, 0, 10000);
+    visit("skeletonization.fill_holes_share", o.fill_holes_share, 0, 1);
+}
+
+template <class Visitor> void visit_identification(IdentificationOptions& o, Visitor& visit) {
+    visit("identification.k_v", o.ggd.k_v, 0, 1000);
+    visit("identification.k_e", o.ggd.k_e, 0, 1000);
+    visit("identification.k_l", o.ggd.k_l, 0, 1000);
+    for (std::size_t i = 1; i < o.ggd.label_values.size(); ++i)
+        visit("identification.label_values." + std::string(label_names[i]), o.ggd.label_values[i], 0, 1000);
+    visit("identification.max_nodes", o.ggd.max_nodes, 1, 1'000'000'000);
+    visit("identification.thesis_score", o.thesis_score);
+    visit("identification.use_evidence", o.use_evidence);
+    visit("identification.use_ilp", o.use_ilp);
+}
+
+template <class Visitor> void visit_rigging(RigOptions& o, Visitor& visit) {
+    visit("rigging.samples", o.mapping.samples, 2, 10000);
+    visit("rigging.alpha", o.mapping.alpha, 0, 1000);
+    visit("rigging.length_in_pixels", o.mapping.length_in_pixels);
+    visit("rigging.osb", o.mapping.osb, {"icdm2007", "printed"});
+    visit("rigging.label_penalty", o.mapping.label_penalty, 0, 1000);
+    visit("rigging.prior_weight", o.mapping.prior_weight, 0, 1000);
+    visit("rigging.cell", o.mesh.cell, 0, 512);
+    visit("rigging.interpolate_distance", o.mesh.interpolate_distance);
+    visit("rigging.thesis_weights", o.thesis_weights);
+    visit("rigging.limb_segments", o.limb_segments, 1, 8);
+}
+
+template <class Visitor> void visit_options(Options& o, Visitor visit) {
+    visit_detection(o.detection, visit);
+    visit_skeletonization(o.skeletonization, visit);
+    visit_identification(o.identification, visit);
+    visit_rigging(o.rigging, visit);
+    visit("animation.samples", o.animation.samples, 2, 1000);
+}
+
+using Choices = std::initializer_list<const char*>;
+
+// Sets the options that the file names and strikes them off the list.
+struct Setter {
+    std::map<std::string, JsonReader>& given;
+
+    template <class Set> void take(const std::string& name, Set set) {
+        const auto found = given.find(name);
+        if (found == given.end()) return;
+        set(found->second);
+        given.erase(found);
+    }
+    void operator()(const std::string& name, bool& field) {
+        take(name, [&](const JsonReader& reader) { field = reader.boolean(); });
+    }
+    void operator()(const std::string& name, double& field, double low, double high) {
+        take(name, [&](const JsonReader& reader) { field = reader.number(low, high); });
+    }
+    template <class Integer> void operator()(const std::string& name, Integer& field, long low, long high) {
+        take(name,
+             [&](const JsonReader& reader) { field = static_cast<Integer>(reader.integer(low, high)); });
+    }
+    template <class Enum> void operator()(const std::string& name, Enum& field, Choices names) {
+        take(name, [&](const JsonReader& reader) {
+            const auto chosen = std::find(names.begin(), names.end(), reader.text());
+            if (chosen == names.end()) {
+                std::string list;
+                for (const char* choice : names) list += (list.empty() ? "" : " or ") + std::string(choice);
+                reader.fail("must be " + list);
+            }
+            field = static_cast<Enum>(chosen - names.begin());
+        });
+    }
+};
+
+struct Lister {
+    std::vector<std::pair<std::string, std::string>>& list;
+
+    void operator()(const std::string& name, bool field) {
+        list.emplace_back(name, field ? "true" : "false");
+    }
+    template <class Number, class Bound>
+    void operator()(const std::string& name, Number field, Bound, Bound) {
+        list.emplace_back(name, to_decimal(static_cast<double>(field)));
+    }
+    template <class Enum> void operator()(const std::string& name, Enum field, Choices names) {
+        list.emplace_back(name, '"' + std::string(names.begin()[static_cast<std::size_t>(field)]) + '"');
+    }
+};
+
+// `{"a": {"b": 1}, "a.c": 2}` to {a.b: 1, a.c: 2}.
+void flatten(const JsonReader& object, const std::string& prefix, std::map<std::string, JsonReader>& out) {
+    for (const auto& [key, reader] : object.entries()) {
+        const std::string name = prefix.empty() ? key : prefix + "." + key;
+        if (std::count(name.begin(), name.end(), '.') > 8) reader.fail("is nested too deeply");
+        if (reader.value().is_object())
+            flatten(reader, name, out);
+        else if (!out.emplace(name, reader).second)
+            reader.fail("is given twice");
+    }
+}
+
+} // namespace
+
+Options make_preset(std::string_view name) {
+    Options options;
+    if (name == "default") return options;
+    if (name != "thesis")
+        throw Error(ErrorKind::usage,
+                    "--preset: there is no preset '" + std::string(name) + "' (default, thesis)");
+    options.detection.working_size = 321;              // ch. 5: the network's input
+    options.skeletonization.residual = Residual::arc;  // 3.4, ERRATA 1
+    options.skeletonization.fill_holes_share = 0;      // ERRATA 4: holes are kept
+    options.identification.thesis_score = true;        // Eq. 4.3–4.7, K_v of ch. 5, ERRATA 8
+    options.identification.use_evidence = false;       // ERRATA 10
+    options.identification.use_ilp = ilp_available();  // ch. 5: solved by GLPK
+    options.rigging.mapping.length_in_pixels = true;   // Eq. 4.9, ERRATA 15
+    options.rigging.mapping.label_penalty = 0;         // ERRATA 19
+    options.rigging.mapping.prior_weight = 0;          // ERRATA 19
+    options.rigging.mesh.interpolate_distance = false; // 4.6: a binary mask, so midpoints (ERRATA 21)
+    options.rigging.thesis_weights = true;             // Algorithm 4.4
+    options.rigging.limb_segments = 1;                 // one bone an end-effector
+    return options;
+}
+
+void apply_config(Options& options, const std::filesystem::path& file) {
+    const Json json = parse_json(read_text(file), file.string());
+    std::map<std::string, JsonReader> given;
+    flatten(JsonReader(json, file.string()), "", given);
+    visit_options(options, Setter{given});
+    if (!given.empty())
+        throw Error(ErrorKind::input, file.string() + ": there is no option '" + given.begin()->first + "'");
+}
+
+std::vector<std::pair<std::string, std::string>> list_options(const Options& options) {
+    std::vector<std::pair<std::string, std::string>> list;
+    Options copy = options;
+    visit_options(copy, Lister{list});
+    return list;
+}
+
+} // namespace pantin

@@ -1,0 +1,98 @@
+#include "pipeline/pages.hpp"
+
+#include <algorithm>
+#include <system_error>
+
+#include "core/file.hpp"
+#include "pantin/image.hpp"
+#include "pipeline/json_files.hpp"
+#include "pipeline/trace.hpp"
+
+namespace pantin {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// What a run writes into a character's folder; `trace` and `frames` are folders.
+constexpr const char* own_files[] = {
+    "drawing.png",  "mask.png",      "labels.png",          "segmentation.json", "contour.json",
+    "skeleton.png", "skeleton.json", "identification.json", "mapping.json",      "mesh.obj",
+    "mesh.mtl",     "weights.txt",   "character.glb",       "animation.webp",    "animation.gif"};
+
+bool is_own_file(const std::string& name) {
+    if (std::find(std::begin(own_files), std::end(own_files), name) != std::end(own_files)) return true;
+    return name.starts_with("animation-") && (name.ends_with(".webp") || name.ends_with(".gif"));
+}
+
+// Removes what a former run wrote; files that are not ours stay, and the folder with them.
+void remove_character(const fs::path& folder) {
+    std::error_code ignored;
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+        if (is_own_file(entry.path().filename().string())) files.push_back(entry.path());
+    for (const fs::path& file : files) fs::remove(file, ignored);
+    fs::remove_all(folder / "trace", ignored);
+    fs::remove_all(folder / "frames", ignored);
+    fs::remove(folder, ignored);
+}
+
+// The characters that the page.json of a former run lists. A file that is not ours lists none.
+void remove_former_run(const fs::path& out) {
+    std::error_code ignored;
+    if (!fs::exists(out / "page.json", ignored)) return;
+    Page page;
+    try {
+        page = read_page(out / "page.json");
+    } catch (const Error&) {
+        return;
+    }
+    for (const PageCharacter& character : page.characters)
+        if (character.folder.starts_with("character-")) remove_character(out / character.folder);
+    fs::remove_all(out / "trace", ignored);
+}
+
+PageCharacter describe(const DetectedCharacter& detected, std::size_t number) {
+    return {"character-" + std::to_string(number), detected.box, detected.scale, detected.score, "ok"};
+}
+
+} // namespace
+
+void write_page(const fs::path& out, const Page& page) { write_file(out / "page.json", page_to_json(page)); }
+
+Page read_page(const fs::path& file) { return page_from_json(read_text(file), file.string()); }
+
+DetectedPage run_detect(const fs::path& image, const fs::path& out, Workshop& workshop) {
+    workshop.progress("detect");
+    Detection detection = [&] {
+        const RgbImage page = load_image(image);
+        try {
+            return detect(page, workshop.options().detection);
+        } catch (const Error& error) {
+            throw Error(error.kind(), image.string() + ": " + error.what());
+        }
+    }();
+    DetectedPage result;
+    result.page.source = image.filename().string();
+    result.page.width = detection.width;
+    result.page.height = detection.height;
+
+    create_folder(out);
+    remove_former_run(out);
+    if (workshop.settings().trace) trace_detection(out, detection);
+    for (DetectedCharacter& detected : detection.characters) {
+        result.page.characters.push_back(describe(detected, result.page.characters.size() + 1));
+        Character character;
+        character.folder = out / result.page.characters.back().folder;
+        create_folder(character.folder);
+        save_png(character.folder / "drawing.png", detected.drawing);
+        save_png(character.folder / "mask.png", to_grey(detected.mask));
+        character.drawing = std::move(detected.drawing);
+        character.mask = std::move(detected.mask);
+        result.characters.push_back(std::move(character));
+    }
+    write_page(out, result.page);
+    return result;
+}
+
+} // namespace pantin

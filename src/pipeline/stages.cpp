@@ -1,0 +1,56 @@
+#include "pipeline/stages.hpp"
+
+#include "core/file.hpp"
+#include "pantin/export.hpp"
+#include "pantin/image.hpp"
+#include "pipeline/json_files.hpp"
+#include "pipeline/trace.hpp"
+
+namespace pantin {
+
+void run_segment(Character& character, Workshop& workshop) {
+    SegmentationOptions options = workshop.options().segmentation;
+    options.threads = workshop.settings().threads;
+    Segmentation result = workshop.segmenter().segment(drawing_of(character), mask_of(character), options);
+    if (workshop.settings().trace) trace_segmentation(character.folder, result);
+    save_png(character.folder / "labels.png", result.labels);
+    write_file(character.folder / "segmentation.json", segmentation_to_json(result));
+    character.labels = std::move(result.labels);
+}
+
+void run_skeletonize(Character& character, Workshop& workshop) {
+    Skeletonization result = skeletonize(labels_of(character), workshop.options().skeletonization);
+    if (workshop.settings().trace) trace_skeletonization(character.folder, result);
+    write_file(character.folder / "contour.json", contour_to_json(result.contour));
+    save_png(character.folder / "skeleton.png", to_grey(result.skeleton));
+    write_file(character.folder / "skeleton.json", skeleton_to_json(result.graph));
+    character.skeleton = std::move(result.graph);
+}
+
+void run_identify(Character& character, Workshop& workshop) {
+    Identification result = identify(skeleton_of(character), labels_of(character), workshop.references(),
+                                     workshop.options().identification);
+    write_file(character.folder / "identification.json", identification_to_json(result));
+    character.identification = std::move(result);
+}
+
+void run_rig(Character& character, Workshop& workshop) {
+    const Identification& identification = identification_of(character, workshop);
+    Rig result = rig(skeleton_of(character), labels_of(character), identification, workshop.references(),
+                     workshop.options().rigging);
+    const ReferenceSkeleton& reference = workshop.reference(identification.reference);
+    std::vector<BoneAnimation> animations;
+    for (const ReferenceClip& clip : reference.clips)
+        animations.push_back(retarget(result, reference, clip, workshop.options().animation.samples));
+    const RgbaImage texture = make_texture(drawing_of(character), labels_of(character));
+
+    const std::filesystem::path& folder = character.folder;
+    write_file(folder / "mapping.json", mapping_to_json(result.mapping));
+    write_file(folder / "mesh.obj", to_obj(result, "mesh.mtl"));
+    write_file(folder / "mesh.mtl", to_mtl("drawing.png"));
+    write_file(folder / "weights.txt", to_weights_text(result));
+    write_file(folder / "character.glb", to_glb(result, texture, animations));
+    character.rig = std::move(result);
+}
+
+} // namespace pantin

@@ -1,0 +1,16 @@
+// Intermediate products for --trace, in a folder `trace` (docs/formats.md).
+#pragma once
+
+#include <filesystem>
+
+#include "pantin/detection.hpp"
+#include "pantin/segmentation.hpp"
+#include "pantin/skeletonization.hpp"
+
+namespace pantin {
+
+void trace_detection(const std::filesystem::path& folder, const Detection& detection);
+void trace_segmentation(const std::filesystem::path& folder, const Segmentation& segmentation);
+void trace_skeletonization(const std::filesystem::path& folder, const Skeletonization& skeletonization);
+
+} // namespace pantin

@@ -1,0 +1,35 @@
+// What all characters of a run share: the settings, the networks and the reference skeletons, each loaded
+// once.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "pantin/pipeline.hpp"
+
+namespace pantin {
+
+class Workshop {
+public:
+    explicit Workshop(const Settings& settings) : settings_(settings) {}
+
+    const Settings& settings() const { return settings_; }
+    const Options& options() const { return settings_.options; }
+    // Error(weights) when the weights are missing or invalid.
+    const Segmenter& segmenter();
+    // Error(input) when a reference file is invalid.
+    const std::vector<ReferenceSkeleton>& references();
+    const ReferenceSkeleton& reference(const std::string& name);
+
+    void progress(const std::string& what, double share = 0) const {
+        if (settings_.progress) settings_.progress(what, share);
+    }
+
+private:
+    const Settings& settings_;
+    std::vector<unsigned char> weights_;
+    std::optional<Segmenter> segmenter_;
+    std::optional<std::vector<ReferenceSkeleton>> references_;
+};
+
+} // namespace pantin
