@@ -32,8 +32,11 @@ struct ReferenceJoint {
 // A periodic rotation of one joint about one axis: angle(t) = offset + amplitude · sin(2π (cycles · t/duration + phase)).
 struct ReferenceTrack {
     int joint = 0;
-    std::string axis;      // "x", "y", "z" (z: in the plane of the drawing, counter-clockwise seen from the front),
-                           // or "tx", "ty": translation as a share of the character's height
+    // Fixed axes of the drawing: "x", "y", "z" (z: in the plane, counter-clockwise seen from the front).
+    // Axes of the bone at rest: "lift" (in the plane, positive raises the bone's tip: a left wing and a right wing
+    // go up together), "flap" (out of the plane, positive moves the tip towards the viewer), "twist" (about itself).
+    // "tx", "ty": translation of the root joint as a share of the character's height.
+    std::string axis;
     int segment = 0;       // along a limb's chain of bones: 0 the innermost
     double amplitude = 0;  // degrees (share of the height for translations)
     double phase = 0;      // in cycles

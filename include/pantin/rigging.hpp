@@ -73,36 +73,47 @@ Mapping map_end_effectors(const SkeletonGraph& graph, const Mask& silhouette, co
 
 struct Mesh {
     std::vector<Point2d> vertices; // working pixels
-    std::vector<std::vector<int>> faces; // 3 to 6 corners, clockwise on screen (y down)
+    std::vector<std::vector<int>> faces; // 3 to 6 corners, convex at rest, clockwise on screen (y down)
 };
 struct MeshOptions {
-    double cell = 0;          // side of a voxel in working pixels; 0: from the thinnest limb (ERRATA 21)
+    int cell = 0;  // side of a voxel in working pixels; 0: from the size and the thinnest limb (ERRATA 21)
+    double margin = -1; // the silhouette is grown by this many pixels first; −1: `ink_margin`; `thesis`: 0
     bool interpolate_distance = true; // `thesis`: false, the midpoint
+    bool cut_touching_parts = true;   // ERRATA 22; `thesis`: false
 };
-// Marching squares quad mesh of the silhouette (Maple 2003).
+// Marching squares quad mesh (thesis 4.6, Fig. 4.17; Maple 2003) of the silhouette grown by `options.margin`
+// (negative: 0). Voxel corners lie at multiples of the cell. Every vertex is shared, no two lie at one place, every
+// edge has one or two faces. With `cell` 0 the cell is halved from side/64 until the mesh has as many pieces and
+// holes as the grown silhouette (or the cell is 2).
 Mesh marching_squares(const Mask& silhouette, const MeshOptions& options);
+
+// Half of a pen's stroke may lie outside a silhouette whose border runs along the stroke's middle. Mesh and texture
+// reach this many working pixels beyond it: 1.2 % of the longer side, at least 2.
+double ink_margin(int width, int height);
 
 // --- bones and weights -----------------------------------------------------------------------------------------------
 
-// Bone i turns about `head` and reaches to `tail`. The root bone is the body.
+// Bone i turns about `head` and reaches to `tail`. The root bone (index 0) is the body.
 struct Bone {
     std::string name;      // "hips", "leg_front_left", "leg_front_left.1" (next segment outward), …
     int parent = -1;       // parents come first
     Point2d head, tail;    // working pixels
     Label label = Label::body;
-    int reference_joint = -1; // which reference joint drives it
+    int reference_joint = -1; // which reference joint drives it; −1: it rests on its parent
     int segment = 0;          // 0 = innermost segment of its limb
     bool mirrored = false;    // rotations in the plane change sign
+    double phase_shift = 0;   // in cycles: an unmatched limb follows its neighbour half a cycle later
+    double width = 0;         // of the limb around the bone, working pixels
 };
 struct VertexWeights {
     std::array<int, 4> bones{};      // unused: 0
-    std::array<double, 4> weights{}; // non-negative, sum 1
+    std::array<double, 4> weights{}; // non-negative multiples of 2^-16, descending, sum exactly 1
 };
 struct RigOptions {
     MappingOptions mapping;
     MeshOptions mesh;
     bool thesis_weights = false; // Algorithm 4.4 to the letter, one bone per end-effector
-    int limb_segments = 2;       // `thesis`: 1
+    int limb_segments = 2;       // bones per limb, wing or tail (1 to 4), a short one has 1; `thesis`: 1
 };
 struct Rig {
     int width = 0, height = 0; // of the working crop
@@ -110,11 +121,14 @@ struct Rig {
     Mesh mesh;
     std::vector<Bone> bones;
     std::vector<VertexWeights> weights;   // per mesh vertex
-    std::vector<Point2d> texture;         // per mesh vertex, [0, 1], v down
-    std::vector<double> depth;            // per mesh vertex, small z offsets for the draw order of parts
+    std::vector<Point2d> texture;         // per mesh vertex, [0, 1] inside the crop, v down
+    std::vector<double> depth;            // per mesh vertex, z at rest in world units: small offsets for the draw order
 };
 // Throws CharacterRejected("rig", …) when no end-effector can be mapped.
 Rig rig(const SkeletonGraph& graph, const LabelMap& labels, const Identification& identification,
         const std::vector<ReferenceSkeleton>& references, const RigOptions& options = {});
+// The same for a given mapping (mapping.json, corrected by hand).
+Rig rig_with_mapping(const SkeletonGraph& graph, const LabelMap& labels, const ReferenceSkeleton& reference,
+                     bool mirrored, const Mapping& mapping, const RigOptions& options = {});
 
 } // namespace pantin

@@ -143,9 +143,9 @@ ReferenceTrack read_track(const Reader& reader, const ReferenceSkeleton& skeleto
     ReferenceTrack track;
     track.joint = find_named(reader.at("joint"), skeleton.joints, "joint");
     track.axis = reader.at("axis").name();
-    static constexpr std::array<std::string_view, 5> axes = {"x", "y", "z", "tx", "ty"};
+    static constexpr std::array<std::string_view, 8> axes = {"x", "y", "z", "lift", "flap", "twist", "tx", "ty"};
     if (std::find(axes.begin(), axes.end(), track.axis) == axes.end())
-        reader.at("axis").fail("must be x, y, z, tx or ty");
+        reader.at("axis").fail("must be x, y, z, lift, flap, twist, tx or ty");
     if (reader.has("segment")) track.segment = reader.at("segment").integer(0, 8);
     track.amplitude = reader.at("amplitude").number(-360, 360);
     if (reader.has("phase")) track.phase = reader.at("phase").number(-1, 1);

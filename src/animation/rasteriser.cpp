@@ -1,0 +1,256 @@
+// This work is based on:
+// Juan Pineda, A parallel algorithm for polygon rasterization, 1988 (edge functions);
+// Lance Williams, Pyramidal parametrics, 1983 (the reduced texture).
+// Vertices are snapped to 1/256 of a sample, edge functions are integers and edges follow the top-left rule:
+// every sample of two abutting triangles belongs to exactly one, on every machine. Edges are antialiased by
+// supersampling: a sample is covered or not (alpha of the texture against one half), a pixel is the mean of
+// its samples.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "animation/vector.hpp"
+#include "pantin/animation.hpp"
+
+namespace pantin {
+namespace {
+
+constexpr std::int64_t subsamples = 256; // fixed-point units per sample
+constexpr double camera_distance = 2.5;  // of the perspective camera, in longer sides of the view
+
+struct FrameSize {
+    int width = 1, height = 1;
+    double pixels_per_unit = 1;
+};
+
+FrameSize frame_size(const View& view, int size) {
+    const double longer = std::max(view.width, view.height);
+    FrameSize frame;
+    frame.pixels_per_unit = size / longer;
+    frame.width = std::clamp(static_cast<int>(std::floor(view.width * frame.pixels_per_unit + 0.5)), 1, size);
+    frame.height =
+        std::clamp(static_cast<int>(std::floor(view.height * frame.pixels_per_unit + 0.5)), 1, size);
+    return frame;
+}
+
+// A vertex on the sample grid. `w` is 1/depth of the perspective camera, 1 in the orthographic one.
+struct ScreenVertex {
+    std::int64_t x = 0, y = 0;  // fixed point, y down
+    double z = 0;               // larger is nearer
+    double w = 1, u = 0, v = 0; // u and v are divided by depth
+};
+
+class Projection {
+public:
+    Projection(const View& view, const FrameSize& frame, int supersampling, bool perspective)
+        : view_(view), scale_(frame.pixels_per_unit * supersampling), perspective_(perspective) {
+        centre_ = {view.left + 0.5 * view.width, view.bottom + 0.5 * view.height};
+        distance_ = camera_distance * std::max(view.width, view.height);
+        rows_ = frame.height * supersampling;
+    }
+    ScreenVertex operator()(const Vec3& p, Point2d texture) const {
+        ScreenVertex s;
+        // Nothing of a flat character comes near the camera; the bound keeps the division safe whatever
+        // comes.
+        s.w = perspective_ ? distance_ / std::max(distance_ - p.z, 0.05 * distance_) : 1;
+        const double x = centre_.x + (p.x - centre_.x) * s.w, y = centre_.y + (p.y - centre_.y) * s.w;
+        s.x = fixed((x - view_.left) * scale_);
+        s.y = fixed(rows_ - (y - view_.bottom) * scale_);
+        s.z = p.z;
+        s.u = texture.x * s.w;
+        s.v = texture.y * s.w;
+        return s;
+    }
+
+private:
+    static std::int64_t fixed(double samples) {
+        return static_cast<std::int64_t>(std::rint(std::clamp(samples, -1e6, 1e6) * subsamples));
+    }
+    View view_;
+    double scale_, distance_ = 1;
+    bool perspective_;
+    int rows_ = 1;
+    Point2d centre_;
+};
+
+// Half the size: each pixel the mean of four, weighted by alpha.
+RgbaImage halved(const RgbaImage& image) {
+    RgbaImage half((image.width() + 1) / 2, (image.height() + 1) / 2);
+    for (int y = 0; y < half.height(); ++y)
+        for (int x = 0; x < half.width(); ++x) {
+            int r = 0, g = 0, b = 0, a = 0, plain_r = 0, plain_g = 0, plain_b = 0;
+            for (int k = 0; k < 4; ++k) {
+                const Rgba8 p = image(std::min(2 * x + k % 2, image.width() - 1),
+                                      std::min(2 * y + k / 2, image.height() - 1));
+                r += p.r * p.a, g += p.g * p.a, b += p.b * p.a, a += p.a;
+                plain_r += p.r, plain_g += p.g, plain_b += p.b;
+            }
+            const auto mean = [a](int sum, int plain) {
+                return static_cast<std::uint8_t>(a > 0 ? (2 * sum + a) / (2 * a) : (plain + 2) / 4);
+            };
+            half(x, y) = {mean(r, plain_r), mean(g, plain_g), mean(b, plain_b),
+                          static_cast<std::uint8_t>((a + 2) / 4)};
+        }
+    return half;
+}
+
+// Bilinear; weights are whole 256ths, so the arithmetic is exact.
+class Sampler {
+public:
+    explicit Sampler(const RgbaImage& image) : image_(image) {}
+    Rgba8 operator()(double u, double v) const {
+        const double x = std::clamp(u * image_.width() - 0.5, 0.0, image_.width() - 1.0);
+        const double y = std::clamp(v * image_.height() - 0.5, 0.0, image_.height() - 1.0);
+        const int fx = static_cast<int>(x * 256 + 0.5), fy = static_cast<int>(y * 256 + 0.5);
+        const int x0 = fx >> 8, y0 = fy >> 8, x1 = std::min(x0 + 1, image_.width() - 1);
+        const int tx = fx & 255, ty = fy & 255;
+        const Rgba8 *top = image_.row(y0), *bottom = image_.row(std::min(y0 + 1, image_.height() - 1));
+        const int a = (256 - tx) * (256 - ty), b = tx * (256 - ty), c = (256 - tx) * ty, d = tx * ty;
+        const auto mix = [&](std::uint8_t Rgba8::*channel) {
+            return static_cast<std::uint8_t>((a * (top[x0].*channel) + b * (top[x1].*channel) +
+                                              c * (bottom[x0].*channel) + d * (bottom[x1].*channel) +
+                                              32768) >>
+                                             16);
+        };
+        return {mix(&Rgba8::r), mix(&Rgba8::g), mix(&Rgba8::b), mix(&Rgba8::a)};
+    }
+
+private:
+    const RgbaImage& image_;
+};
+
+class Rasteriser {
+public:
+    Rasteriser(int width, int height)
+        : colour_(width, height), depth_(width, height, -std::numeric_limits<float>::infinity()) {}
+
+    void draw(ScreenVertex a, ScreenVertex b, ScreenVertex c, const Sampler& sampler) {
+        std::int64_t area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+        if (area == 0) return;
+        if (area < 0) { // both sides of the paper are visible
+            std::swap(b, c);
+            area = -area;
+        }
+        const std::array<Edge, 3> edges = {Edge(b, c), Edge(c, a), Edge(a, b)};
+        const auto [left, right] =
+            sample_range(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), colour_.width());
+        const auto [top, bottom] =
+            sample_range(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), colour_.height());
+        const double inverse = 1.0 / static_cast<double>(area);
+        for (int y = top; y < bottom; ++y)
+            for (int x = left; x < right; ++x) {
+                const std::int64_t e0 = edges[0].at(x, y), e1 = edges[1].at(x, y), e2 = edges[2].at(x, y);
+                if ((e0 + edges[0].bias) < 0 || (e1 + edges[1].bias) < 0 || (e2 + edges[2].bias) < 0)
+                    continue;
+                const double p = static_cast<double>(e0) * inverse, q = static_cast<double>(e1) * inverse;
+                shade(x, y, a, b, c, p, q, sampler);
+            }
+    }
+
+    // Mean of the samples of each pixel over the background, straight alpha.
+    RgbaImage resolve(int supersampling, Rgba8 background) const {
+        RgbaImage image(colour_.width() / supersampling, colour_.height() / supersampling);
+        const int samples = supersampling * supersampling;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x) {
+                int r = 0, g = 0, b = 0, covered = 0;
+                for (int j = 0; j < supersampling; ++j)
+                    for (int i = 0; i < supersampling; ++i) {
+                        const Rgba8 s = colour_(x * supersampling + i, y * supersampling + j);
+                        if (s.a != 0) r += s.r, g += s.g, b += s.b, ++covered;
+                    }
+                // Premultiplied sums in units of 1/255 of a sample.
+                const int rest = samples - covered, alpha = 255 * covered + background.a * rest;
+                const auto mean = [&](int sum, int back) {
+                    const int weighted = 255 * sum + background.a * back * rest;
+                    return static_cast<std::uint8_t>(alpha > 0 ? (2 * weighted + alpha) / (2 * alpha) : 0);
+                };
+                image(x, y) = {mean(r, background.r), mean(g, background.g), mean(b, background.b),
+                               static_cast<std::uint8_t>((2 * alpha + samples) / (2 * samples))};
+            }
+        return image;
+    }
+
+private:
+    // Positive inside (y down, clockwise). A sample on the edge belongs to it if the edge is a top or a left
+    // one.
+    struct Edge {
+        std::int64_t x, y, dx, dy, bias;
+        Edge(const ScreenVertex& from, const ScreenVertex& to)
+            : x(from.x), y(from.y), dx(to.x - from.x), dy(to.y - from.y) {
+            const bool top_left = (dy == 0 && dx > 0) || dy < 0;
+            bias = top_left ? 0 : -1;
+        }
+        std::int64_t at(int column, int row) const {
+            const std::int64_t px = column * subsamples + subsamples / 2,
+                               py = row * subsamples + subsamples / 2;
+            return dx * (py - y) - dy * (px - x);
+        }
+    };
+
+    static std::pair<int, int> sample_range(std::int64_t low, std::int64_t high, int size) {
+        const auto floor_div = [](std::int64_t v) {
+            return v >= 0 ? v / subsamples : -((-v + subsamples - 1) / subsamples);
+        };
+        return {static_cast<int>(std::clamp<std::int64_t>(floor_div(low), 0, size)),
+                static_cast<int>(std::clamp<std::int64_t>(floor_div(high) + 1, 0, size))};
+    }
+
+    void shade(int x, int y, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, double p,
+               double q, const Sampler& sampler) {
+        const double r = 1 - p - q;
+        const auto z = static_cast<float>(p * a.z + q * b.z + r * c.z);
+        if (z <= depth_(x, y)) return;
+        const double w = p * a.w + q * b.w + r * c.w;
+        const Rgba8 texel = sampler((p * a.u + q * b.u + r * c.u) / w, (p * a.v + q * b.v + r * c.v) / w);
+        if (texel.a < 128) return;
+        depth_(x, y) = z;
+        colour_(x, y) = {texel.r, texel.g, texel.b, 255};
+    }
+
+    RgbaImage colour_;
+    Grid<float> depth_;
+};
+
+// The texture reduced until a sample is at least two thirds of a texel.
+RgbaImage fitting(RgbaImage texture, const View& view, const RenderOptions& options) {
+    const double samples = frame_size(view, options.size).pixels_per_unit * options.supersampling;
+    while (texture.height() > 1.5 * samples && texture.height() > 1) texture = halved(texture);
+    return texture;
+}
+
+RgbaImage draw_frame(const Rig& rig, const std::vector<Vec3>& vertices, const RgbaImage& texture,
+                     const View& view, const RenderOptions& options) {
+    const FrameSize frame = frame_size(view, options.size);
+    const Projection project(view, frame, options.supersampling, options.perspective);
+    std::vector<ScreenVertex> screen;
+    for (std::size_t v = 0; v < vertices.size(); ++v) screen.push_back(project(vertices[v], rig.texture[v]));
+    const Sampler sampler(texture);
+    Rasteriser rasteriser(frame.width * options.supersampling, frame.height * options.supersampling);
+    for (const std::vector<int>& face : rig.mesh.faces)
+        for (std::size_t i = 1; i + 1 < face.size(); ++i)
+            rasteriser.draw(screen[face[0]], screen[face[i]], screen[face[i + 1]], sampler);
+    return rasteriser.resolve(options.supersampling, options.background);
+}
+
+} // namespace
+
+RgbaImage render_frame(const Rig& rig, const std::vector<Vec3>& vertices, const RgbaImage& texture,
+                       const View& view, const RenderOptions& options) {
+    return draw_frame(rig, vertices, fitting(texture, view, options), view, options);
+}
+
+std::vector<RgbaImage> render(const Rig& rig, const BoneAnimation& animation, const RgbaImage& texture,
+                              const View& view, double fps, const RenderOptions& options) {
+    const RgbaImage fitted = fitting(texture, view, options);
+    const int count = std::max(1, static_cast<int>(std::floor(animation.duration * fps + 0.5)));
+    std::vector<RgbaImage> frames;
+    for (int i = 0; i < count; ++i)
+        frames.push_back(
+            draw_frame(rig, skin(rig, animation, animation.duration * i / count), fitted, view, options));
+    return frames;
+}
+
+} // namespace pantin

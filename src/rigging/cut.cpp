@@ -1,0 +1,94 @@
+#include "rigging/cut.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace pantin {
+namespace {
+
+const Owner& owner_at(const Grid<Owner>& pixels, Point2d p) {
+    return pixels(std::clamp(static_cast<int>(std::rint(p.x)), 0, pixels.width() - 1),
+                  std::clamp(static_cast<int>(std::rint(p.y)), 0, pixels.height() - 1));
+}
+
+// Up to this position a limb is one piece with what it hangs on: the flesh around the attachment, where the
+// border of the labels may run aslant. Broad parts (wings) and heads have long roots.
+double root_zone(const Limb& limb, double cell) {
+    const double flesh = 0.75 * limb.width + 2 * cell;
+    if (limb.label == Label::head) return 1e9;
+    return limb.label == Label::wing ? std::max(flesh, 0.5 * limb.length()) : flesh;
+}
+
+Mesh without_unused(Mesh mesh, std::vector<Owner>& owners) {
+    std::vector<int> place(mesh.vertices.size(), -1);
+    Mesh result;
+    std::vector<Owner> kept;
+    for (const std::vector<int>& face : mesh.faces)
+        for (int v : face) place[v] = 0;
+    for (std::size_t v = 0; v < place.size(); ++v) {
+        if (place[v] < 0) continue;
+        place[v] = static_cast<int>(result.vertices.size());
+        result.vertices.push_back(mesh.vertices[v]);
+        kept.push_back(owners[v]);
+    }
+    for (std::vector<int>& face : mesh.faces)
+        for (int& v : face) v = place[v];
+    result.faces = std::move(mesh.faces);
+    owners = std::move(kept);
+    return result;
+}
+
+} // namespace
+
+std::vector<Owner> vertex_owners(const Mesh& mesh, const Grid<Owner>& pixels) {
+    std::vector<Owner> owners;
+    for (const Point2d& p : mesh.vertices) owners.push_back(owner_at(pixels, p));
+    return owners;
+}
+
+bool far_apart(const Owner& a, const Owner& b, const Limbs& limbs, double cell) {
+    if (a.limb == b.limb) return false;
+    if (a.limb < 0) return far_apart(b, a, limbs, cell);
+    const Limb& limb = limbs.limbs[a.limb];
+    if (b.limb < 0) return a.position > root_zone(limb, cell); // the body
+    const Limb& other = limbs.limbs[b.limb];
+    if (limb.parent == b.limb) return a.position > root_zone(limb, cell);
+    if (other.parent == a.limb) return b.position > root_zone(other, cell);
+    if (limb.label == Label::head || other.label == Label::head) // the head is as rigid as the body
+        return std::max(limb.label == Label::head ? 0 : a.position - root_zone(limb, cell),
+                        other.label == Label::head ? 0 : b.position - root_zone(other, cell)) > 0;
+    return a.position + b.position > std::max(root_zone(limb, cell), root_zone(other, cell));
+}
+
+int cut_touching_parts(Mesh& mesh, std::vector<Owner>& owners, const Grid<Owner>& pixels, const Limbs& limbs,
+                       double cell) {
+    int changed = 0;
+    std::map<std::pair<int, int>, int> doubles; // (vertex, limb) → its copy on that limb's side
+    for (std::vector<int>& face : mesh.faces) {
+        bool conflict = false;
+        Point2d middle{};
+        for (std::size_t i = 0; i < face.size(); ++i) {
+            middle = middle + (1.0 / static_cast<double>(face.size())) * mesh.vertices[face[i]];
+            for (std::size_t j = 0; j < i; ++j)
+                conflict |= far_apart(owners[face[i]], owners[face[j]], limbs, cell);
+        }
+        if (!conflict) continue;
+        ++changed;
+        const Owner side = owner_at(pixels, middle);
+        for (int& v : face) {
+            if (!far_apart(owners[v], side, limbs, cell)) continue;
+            const auto [it, is_new] =
+                doubles.try_emplace({v, side.limb}, static_cast<int>(mesh.vertices.size()));
+            if (is_new) {
+                mesh.vertices.push_back(Point2d(mesh.vertices[v]));
+                owners.push_back(side);
+            }
+            v = it->second;
+        }
+    }
+    if (changed > 0) mesh = without_unused(std::move(mesh), owners);
+    return changed;
+}
+
+} // namespace pantin

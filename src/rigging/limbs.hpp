@@ -1,0 +1,48 @@
+// From the skeleton graph and the end-effector mapping to limbs: where each leaves the body and along which
+// path of the skeleton it runs. Bones, pixel ownership and weights are all expressed along these paths.
+#pragma once
+
+#include <vector>
+
+#include "pantin/rigging.hpp"
+
+namespace pantin {
+
+// Positions along a limb are arc lengths of `path` in working pixels, 0 at the attachment.
+struct Limb {
+    int end = -1;           // skeleton vertex (end-effector)
+    int reference_end = -1; // reference node that drives it
+    bool matched = false;   // paired by the mapping, or a follower
+    Label label = Label::limb;
+    std::vector<Point2d> path;    // from the attachment to the end-effector, steps of about one pixel
+    std::vector<double> position; // arc length at each point of `path`
+    int parent = -1;              // limb that it hangs from, −1 the body; parents come first
+    double parent_position = 0;   // where on the parent's path
+    double phase_shift = 0;       // of a follower, in cycles
+    double width = 0;             // twice the mean distance to the silhouette's border along the path
+
+    double length() const { return position.empty() ? 0 : position.back(); }
+    Point2d at(double s) const; // point of the path at arc length s, clamped
+};
+
+// A side branch that belongs to a limb (heel, finger, ear): it moves with the limb at `position`.
+struct Twig {
+    int limb = 0;
+    double position = 0;
+    std::vector<Point2d> path;
+};
+
+struct Limbs {
+    Point2d root; // the body's pivot: the skeleton point with label body that lies deepest inside
+    std::vector<Limb> limbs;
+    std::vector<Twig> twigs;
+};
+
+// labels: every pixel has a label (nearest_labels); depth: distance transform of the silhouette.
+Limbs find_limbs(const SkeletonGraph& graph, const LabelMap& labels, const Grid<float>& depth,
+                 const ReferenceSkeleton& reference, const Mapping& mapping);
+
+// Every pixel of the grid gets the label of the nearest labelled pixel.
+LabelMap nearest_labels(const LabelMap& labels);
+
+} // namespace pantin

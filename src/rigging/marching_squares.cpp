@@ -1,0 +1,154 @@
+// This work is based on:
+// Philipp Korpitsch, Semantic-aware animation of hand-drawn characters, 2023, section 4.6, Fig. 4.17;
+// Carsten Maple, Geometric design and space planning using the marching squares and marching cube algorithms,
+// 2003. Departures (ERRATA 21): positions on voxel edges interpolate the signed exact Euclidean distance,
+// unless the midpoint is asked for; the silhouette may be grown first; the cell shrinks until no limb splits
+// and no ring closes.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "pantin/image.hpp"
+#include "pantin/rigging.hpp"
+#include "rigging/mesh_topology.hpp"
+
+namespace pantin {
+namespace {
+
+constexpr int min_cell = 2; // of the automatic choice
+
+// Signed distance (positive inside) to the nearest pixel centre of the other side, plus the margin. The frame
+// around the silhouette is wide enough that no voxel which the border crosses sees its edge.
+class DistanceField {
+public:
+    DistanceField(const Mask& silhouette, int frame, double margin) : frame_(frame) {
+        Mask inside(silhouette.width() + 2 * frame, silhouette.height() + 2 * frame), outside = inside;
+        for (int y = 0; y < silhouette.height(); ++y)
+            for (int x = 0; x < silhouette.width(); ++x) inside(x + frame, y + frame) = silhouette(x, y) != 0;
+        for (std::size_t i = 0; i < inside.size(); ++i) outside.data()[i] = inside.data()[i] == 0;
+        const Grid<int> in = squared_distance_transform(inside), out = squared_distance_transform(outside);
+        values_ = Grid<double>(inside.width(), inside.height());
+        for (std::size_t i = 0; i < values_.size(); ++i)
+            values_.data()[i] = std::sqrt(static_cast<double>(in.data()[i])) -
+                                std::sqrt(static_cast<double>(out.data()[i])) + margin;
+    }
+    double operator()(int x, int y) const { return values_.value_or(x + frame_, y + frame_, -1e9); }
+
+    // The grown silhouette, frame included.
+    Mask grown() const {
+        Mask mask(values_.width(), values_.height());
+        for (std::size_t i = 0; i < mask.size(); ++i) mask.data()[i] = values_.data()[i] > 0;
+        return mask;
+    }
+
+private:
+    int frame_;
+    Grid<double> values_;
+};
+
+// Walks over the voxels; vertices are numbered in the order in which the voxels (row by row, corners
+// clockwise from the top left) first touch them.
+class MeshBuilder {
+public:
+    MeshBuilder(const DistanceField& field, int cell, bool interpolate)
+        : field_(field), cell_(cell), interpolate_(interpolate) {}
+
+    Mesh build(int left, int top, int right, int bottom) {
+        for (int y = top; y < bottom; y += cell_)
+            for (int x = left; x < right; x += cell_) add_voxel(x, y);
+        return std::move(mesh_);
+    }
+
+private:
+    struct Corner {
+        int vertex = 0;
+        bool on_edge = false; // lies on a voxel edge, not on a voxel corner
+    };
+
+    int vertex(Point2i a, Point2i b, Point2d position) {
+        const auto [it, is_new] =
+            ids_.try_emplace({a.y, a.x, b.y, b.x}, static_cast<int>(mesh_.vertices.size()));
+        if (is_new) mesh_.vertices.push_back(position);
+        return it->second;
+    }
+    int corner_vertex(Point2i p) { return vertex(p, p, to_double(p)); }
+
+    // The border's crossing of the voxel edge a–b, computed from the left or upper end whichever voxel asks.
+    int edge_vertex(Point2i a, Point2i b) {
+        if (a.y > b.y || (a.y == b.y && a.x > b.x)) std::swap(a, b);
+        const double va = field_(a.x, a.y), vb = field_(b.x, b.y);
+        const double t = interpolate_ ? va / (va - vb) : 0.5;
+        return vertex(a, b, {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
+    }
+
+    // In the ambiguous case (two opposite corners inside) the value inside the voxel decides; a voxel of one
+    // pixel has none, and the foreground is 8-connected.
+    bool joined(int x, int y) const { return cell_ == 1 || field_(x + cell_ / 2, y + cell_ / 2) > 0; }
+
+    void add_voxel(int x, int y) {
+        const std::array<Point2i, 4> corners = {
+            Point2i{x, y}, {x + cell_, y}, {x + cell_, y + cell_}, {x, y + cell_}};
+        std::array<bool, 4> inside{};
+        for (int i = 0; i < 4; ++i) inside[i] = field_(corners[i].x, corners[i].y) > 0;
+        std::vector<Corner> polygon;
+        for (int i = 0; i < 4; ++i) {
+            const int next = (i + 1) % 4;
+            if (inside[i]) polygon.push_back({corner_vertex(corners[i]), false});
+            if (inside[i] != inside[next]) polygon.push_back({edge_vertex(corners[i], corners[next]), true});
+        }
+        if (polygon.empty()) return;
+        const bool ambiguous = inside[0] == inside[2] && inside[1] == inside[3] && inside[0] != inside[1];
+        if (ambiguous && !joined(x, y))
+            add_two_triangles(polygon);
+        else
+            add_face(polygon);
+    }
+    void add_face(const std::vector<Corner>& polygon) {
+        std::vector<int>& face = mesh_.faces.emplace_back();
+        for (const Corner& corner : polygon) face.push_back(corner.vertex);
+    }
+    void add_two_triangles(const std::vector<Corner>& polygon) {
+        const int n = static_cast<int>(polygon.size());
+        for (int i = 0; i < n; ++i)
+            if (!polygon[i].on_edge) add_face({polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n]});
+    }
+
+    const DistanceField& field_;
+    int cell_;
+    bool interpolate_;
+    Mesh mesh_;
+    std::map<std::array<int, 4>, int> ids_; // (end, end) of the voxel edge, or twice the voxel corner
+};
+
+int floor_to(int value, int cell) {
+    return (value >= 0 ? value / cell : -((-value + cell - 1) / cell)) * cell;
+}
+
+Mesh mesh_of(const DistanceField& field, const Mask& silhouette, int cell, int reach, bool interpolate) {
+    const int start = floor_to(-reach - cell, cell);
+    return MeshBuilder(field, cell, interpolate)
+        .build(start, start, silhouette.width() + reach, silhouette.height() + reach);
+}
+
+} // namespace
+
+double ink_margin(int width, int height) { return std::max(2.0, 0.012 * std::max(width, height)); }
+
+Mesh marching_squares(const Mask& silhouette, const MeshOptions& options) {
+    const double margin = std::max(0.0, options.margin);
+    const int reach = static_cast<int>(std::ceil(margin)) + 1;
+    int cell = options.cell;
+    if (cell <= 0) cell = std::max(2 * min_cell, std::max(silhouette.width(), silhouette.height()) / 64);
+    const DistanceField field(silhouette, 3 * cell + 2 * reach, margin);
+    Mesh mesh = mesh_of(field, silhouette, cell, reach, options.interpolate_distance);
+    if (options.cell > 0) return mesh;
+    const Topology wanted = topology_of(field.grown());
+    while (cell > min_cell && topology_of(mesh) != wanted) {
+        cell = std::max(min_cell, cell * 3 / 4);
+        mesh = mesh_of(field, silhouette, cell, reach, options.interpolate_distance);
+    }
+    return mesh;
+}
+
+} // namespace pantin

@@ -1,0 +1,118 @@
+#include "rigging/ownership.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "pantin/image.hpp"
+
+namespace pantin {
+namespace {
+
+Point2i pixel_of(Point2d p, const Mask& grid) {
+    return {std::clamp(static_cast<int>(std::rint(p.x)), 0, grid.width() - 1),
+            std::clamp(static_cast<int>(std::rint(p.y)), 0, grid.height() - 1)};
+}
+
+// Dijkstra over pixels; ties by the pixel's index, so the result depends on the input alone.
+class Flood {
+public:
+    Flood(const Mask& silhouette, const LabelMap& labels)
+        : silhouette_(silhouette), labels_(labels), owners_(silhouette.width(), silhouette.height()),
+          cost_(silhouette.width(), silhouette.height(), -1),
+          settled_(silhouette.width(), silhouette.height()) {}
+
+    // The first owner of a pixel stays.
+    void seed(Point2d point, Owner owner) {
+        const Point2i p = pixel_of(point, silhouette_);
+        if (cost_(p.x, p.y) >= 0) return;
+        owners_(p.x, p.y) = owner;
+        cost_(p.x, p.y) = 0;
+        queue_.emplace(0, index(p.x, p.y));
+    }
+
+    // With `keep_label` a pixel is reached through pixels of one label only. Without, the flood goes on from
+    // everything reached so far, whose owners stay.
+    void run(bool keep_label) {
+        if (!keep_label)
+            for (int i = 0; i < static_cast<int>(cost_.size()); ++i)
+                if (cost_.data()[i] >= 0) {
+                    queue_.emplace(cost_.data()[i], i);
+                    settled_.data()[i] = 1;
+                }
+        while (!queue_.empty()) {
+            const auto [cost, i] = queue_.top();
+            queue_.pop();
+            const int x = i % cost_.width(), y = i / cost_.width();
+            if (cost == cost_(x, y)) spread(x, y, cost, keep_label);
+        }
+    }
+
+    // What lies outside the silhouette, or in a piece of it without skeleton.
+    Grid<Owner> finish() {
+        Mask reached(cost_.width(), cost_.height());
+        for (std::size_t i = 0; i < cost_.size(); ++i) reached.data()[i] = cost_.data()[i] >= 0;
+        const Grid<int> nearest = nearest_seed(reached);
+        for (std::size_t i = 0; i < cost_.size(); ++i)
+            if (!reached.data()[i] && nearest.data()[i] >= 0)
+                owners_.data()[i] = owners_.data()[nearest.data()[i]];
+        return std::move(owners_);
+    }
+
+private:
+    int index(int x, int y) const { return y * cost_.width() + x; }
+
+    void spread(int x, int y, int cost, bool keep_label) {
+        for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx) {
+                const int nx = x + dx, ny = y + dy;
+                if ((dx == 0 && dy == 0) || !silhouette_.value_or(nx, ny, 0) || settled_(nx, ny)) continue;
+                if (keep_label && labels_(nx, ny) != labels_(x, y)) continue;
+                const int next = cost + (dx != 0 && dy != 0 ? 7 : 5);
+                int& known = cost_(nx, ny);
+                if (known >= 0 && known <= next) continue;
+                known = next;
+                owners_(nx, ny) = owners_(x, y);
+                queue_.emplace(next, index(nx, ny));
+            }
+    }
+
+    using Entry = std::pair<int, int>; // cost, pixel
+    const Mask& silhouette_;
+    const LabelMap& labels_;
+    Grid<Owner> owners_;
+    Grid<int> cost_;
+    Mask settled_;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+};
+
+} // namespace
+
+Grid<Owner> pixel_owners(const Limbs& limbs, const std::vector<Point2d>& skeleton, const Mask& silhouette,
+                         const LabelMap& labels) {
+    Flood flood(silhouette, labels);
+    for (std::size_t l = 0; l < limbs.limbs.size(); ++l) {
+        const Limb& limb = limbs.limbs[l];
+        for (std::size_t i = limb.path.size(); i-- > 0;)
+            flood.seed(limb.path[i], {static_cast<int>(l), limb.position[i]});
+    }
+    for (const Twig& twig : limbs.twigs)
+        for (const Point2d& p : twig.path) flood.seed(p, {twig.limb, twig.position});
+    flood.seed(limbs.root, {});
+    for (const Point2d& p : skeleton) flood.seed(p, {});
+    flood.run(true);
+    flood.run(false);
+    return flood.finish();
+}
+
+std::vector<Point2d> skeleton_points(const SkeletonGraph& graph) {
+    std::vector<Point2d> points;
+    for (const SkeletonVertex& v : graph.vertices) points.push_back({v.x, v.y});
+    for (const SkeletonEdge& edge : graph.edges)
+        for (const Point2i& pixel : edge.pixels) points.push_back(to_double(pixel));
+    return points;
+}
+
+} // namespace pantin
