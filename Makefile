@@ -17,7 +17,7 @@ WEBP ?= $(call have,webp/mux.h)
 GIF ?= $(call have,gif_lib.h)
 
 # Determinism: no contraction of a*b+c, no fast-math, on any compiler (docs/determinism.md).
-CPPFLAGS += -Iinclude -Isrc -isystem /usr/include/eigen3 -DPANTIN_VERSION='"$(VERSION)"' \
+CPPFLAGS += -Iinclude -Isrc -Itools -isystem /usr/include/eigen3 -DPANTIN_VERSION='"$(VERSION)"' \
             -DEIGEN_DONT_VECTORIZE -DEIGEN_DONT_PARALLELIZE -DEIGEN_MPL2_ONLY
 CXXFLAGS += -std=c++20 -Wall -Wextra -ffp-contract=off -ffile-prefix-map=$(CURDIR)=. -pthread
 LDFLAGS += -pthread

@@ -58,31 +58,31 @@ void draw_bridge(Mask& raster, const Components& components, const Mask& mask,
 } // namespace
 
 Mask fill_spurious_cycles(const Mask& raster, const Mask& mask) {
-    Mask filled = raster;
-    Mask seen = raster;
-    std::vector<Point2i> region;
-    for (int y0 = 0; y0 < mask.height(); ++y0)
-        for (int x0 = 0; x0 < mask.width(); ++x0) {
-            if (seen(x0, y0)) continue;
-            bool spurious = true;
-            region = {{x0, y0}};
-            seen(x0, y0) = 1;
-            for (std::size_t i = 0; i < region.size(); ++i) {
-                const Point2i p = region[i];
-                spurious &= mask(p.x, p.y) != 0;
-                for (unsigned k = 0; k < 8; k += 2) {
-                    const int x = p.x + neighbour_offsets[k].x, y = p.y + neighbour_offsets[k].y;
-                    if (!mask.contains(x, y))
-                        spurious = false; // beyond the image is background
-                    else if (!seen(x, y)) {
-                        seen(x, y) = 1;
-                        region.push_back({x, y});
-                    }
-                }
-            }
-            if (spurious)
-                for (const Point2i p : region) filled(p.x, p.y) = 1;
+    // Floods what the raster leaves of the mask, from the mask's border inwards; what stays dry is enclosed.
+    Mask dry = mask;
+    for (std::size_t i = 0; i < mask.size(); ++i) dry.data()[i] = mask.data()[i] && !raster.data()[i];
+    const auto touches_background = [&mask](Point2i p) {
+        return !mask.value_or(p.x - 1, p.y, 0) || !mask.value_or(p.x + 1, p.y, 0) ||
+               !mask.value_or(p.x, p.y - 1, 0) || !mask.value_or(p.x, p.y + 1, 0);
+    };
+    std::vector<Point2i> wet;
+    for (const Point2i p : foreground_pixels(dry))
+        if (touches_background(p)) {
+            dry(p.x, p.y) = 0;
+            wet.push_back(p);
         }
+    while (!wet.empty()) {
+        const Point2i p = wet.back();
+        wet.pop_back();
+        for (std::size_t k = 0; k < 8; k += 2) {
+            const int x = p.x + neighbour_offsets[k].x, y = p.y + neighbour_offsets[k].y;
+            if (!dry.value_or(x, y, 0)) continue;
+            dry(x, y) = 0;
+            wet.push_back({x, y});
+        }
+    }
+    Mask filled = raster;
+    for (std::size_t i = 0; i < mask.size(); ++i) filled.data()[i] |= dry.data()[i];
     return filled;
 }
 

@@ -21,8 +21,8 @@ using Chain = std::vector<Point2i>;
 class GraphBuilder {
 public:
     GraphBuilder(const Mask& skeleton, const LabelMap& labels)
-        : skeleton_(skeleton), labels_(labels), vertex_at_(skeleton.width(), skeleton.height(), -1),
-          walked_(skeleton.width(), skeleton.height()) {
+        : skeleton_(skeleton), labels_(labels), pixels_(foreground_pixels(skeleton)),
+          vertex_at_(skeleton.width(), skeleton.height(), -1), walked_(skeleton.width(), skeleton.height()) {
         graph_.width = skeleton.width();
         graph_.height = skeleton.height();
     }
@@ -39,11 +39,6 @@ public:
     }
 
 private:
-    template <class Visitor> void for_each_pixel(Visitor visit) const {
-        for (int y = 0; y < skeleton_.height(); ++y)
-            for (int x = 0; x < skeleton_.width(); ++x)
-                if (skeleton_(x, y)) visit(Point2i{x, y});
-    }
     std::vector<Point2i> neighbours(Point2i p) const {
         std::vector<Point2i> result;
         for (const Point2i d : neighbour_offsets)
@@ -61,8 +56,8 @@ private:
     }
 
     void find_junctions() {
-        for_each_pixel([&](Point2i start) {
-            if (degree(start) < 3 || vertex_at(start) >= 0) return;
+        for (const Point2i start : pixels_) {
+            if (degree(start) < 3 || vertex_at(start) >= 0) continue;
             const int id = static_cast<int>(places_.size());
             std::vector<Point2i> cluster = {start};
             vertex_at(start) = id;
@@ -73,7 +68,7 @@ private:
                         cluster.push_back(q);
                     }
             add_vertex(central_pixel(cluster));
-        });
+        }
     }
 
     // n·|p − centroid|² compared in integers.
@@ -96,9 +91,9 @@ private:
 
     // A pixel without any neighbour counts as an end, too.
     void find_ends() {
-        for_each_pixel([&](Point2i p) {
+        for (const Point2i p : pixels_) {
             if (degree(p) <= 1) vertex_at(p) = add_vertex(p);
-        });
+        }
     }
 
     // The way from a pixel of a junction to the junction's place, through its pixels (breadth first).
@@ -134,9 +129,9 @@ private:
     }
 
     void walk_chains() {
-        for_each_pixel([&](Point2i start) {
+        for (const Point2i start : pixels_) {
             const int id = vertex_at(start);
-            if (id < 0) return;
+            if (id < 0) continue;
             for (const Point2i first : neighbours(start)) {
                 if (vertex_at(first) > id) add_chain({start, first});
                 if (vertex_at(first) >= 0 || walked_(first.x, first.y)) continue;
@@ -144,7 +139,7 @@ private:
                 extend(chain);
                 add_chain(chain);
             }
-        });
+        }
     }
 
     // Follows pixels with two neighbours until a vertex (or, on a loop without one, the start) is reached.
@@ -159,8 +154,8 @@ private:
     // A closed loop without end or junction gets three vertices: its first pixel in raster order and the
     // thirds.
     void walk_loops() {
-        for_each_pixel([&](Point2i start) {
-            if (vertex_at(start) >= 0 || walked_(start.x, start.y)) return;
+        for (const Point2i start : pixels_) {
+            if (vertex_at(start) >= 0 || walked_(start.x, start.y)) continue;
             Chain loop = {start, neighbours(start)[0]};
             walked_(start.x, start.y) = 1;
             extend(loop);
@@ -170,7 +165,7 @@ private:
             graph_.edges.push_back(
                 make_edge(b, c, Chain(loop.begin() + third, loop.begin() + 2 * third + 1)));
             graph_.edges.push_back(make_edge(c, a, Chain(loop.begin() + 2 * third, loop.end())));
-        });
+        }
     }
 
     // Splits an edge at pixels[at], which becomes a vertex.
@@ -209,6 +204,7 @@ private:
 
     const Mask& skeleton_;
     const LabelMap& labels_;
+    const std::vector<Point2i> pixels_; // of the skeleton, in raster order
     SkeletonGraph graph_;
     std::vector<Point2i> places_; // of the vertices
     Grid<int> vertex_at_;

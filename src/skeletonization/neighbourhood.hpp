@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <vector>
 
 #include "pantin/grid.hpp"
 #include "pantin/point.hpp"
@@ -20,6 +21,17 @@ inline unsigned neighbourhood(const Mask& image, int x, int y) {
                     image.value_or(x + neighbour_offsets[k].x, y + neighbour_offsets[k].y, 0) != 0)
                 << k;
     return bits;
+}
+
+// The foreground pixels in raster order.
+inline std::vector<Point2i> foreground_pixels(const Mask& image) {
+    std::vector<Point2i> pixels;
+    for (int y = 0; y < image.height(); ++y) {
+        const std::uint8_t* row = image.row(y);
+        for (int x = 0; x < image.width(); ++x)
+            if (row[x]) pixels.push_back({x, y});
+    }
+    return pixels;
 }
 
 inline int neighbour_count(unsigned neighbourhood) { return std::popcount(neighbourhood); }

@@ -30,8 +30,14 @@ Mask silhouette(const LabelMap& labels, double fill_holes_share) {
 
 // Every pixel of the mask with a part: filled holes take the nearest one.
 LabelMap labels_on(const Mask& mask, const LabelMap& labels) {
-    const Grid<int> nearest = nearest_seed(foreground(labels));
     LabelMap complete(mask.width(), mask.height());
+    bool missing = false;
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+        if (mask.data()[i]) complete.data()[i] = labels.data()[i];
+        missing |= mask.data()[i] && labels.data()[i] == 0;
+    }
+    if (!missing) return complete;
+    const Grid<int> nearest = nearest_seed(foreground(labels));
     for (std::size_t i = 0; i < mask.size(); ++i)
         if (mask.data()[i]) complete.data()[i] = labels.data()[nearest.data()[i]];
     return complete;
@@ -59,8 +65,9 @@ Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions
     find_voronoi(s, sites, options.residual);
     const Mask ridges = rasterise(s.voronoi, s.residuals, sites, s.mask, threshold);
     s.voronoi_raster = fill_spurious_cycles(bridge_gaps(ridges, s.mask), s.mask);
-    // Zhang–Suen deletes a 2×2 square as a whole; the shape then keeps its deepest pixel.
-    s.thinned = bridge_gaps(zhang_suen(s.voronoi_raster), s.mask);
+    s.thinned = zhang_suen(s.voronoi_raster);
+    // It deletes a 2×2 square as a whole; the shape then keeps its deepest pixel.
+    if (area(s.thinned) == 0) s.thinned = bridge_gaps(s.thinned, s.mask);
     s.skeleton = remove_redundant_pixels(s.thinned);
     s.raw = extract_graph(s.skeleton, labels_on(s.mask, labels));
     s.after_h1 = apply_h1(s.raw);

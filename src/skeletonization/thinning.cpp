@@ -34,10 +34,7 @@ std::array<bool, 256> deletable(bool second) {
 Mask zhang_suen(const Mask& mask) {
     static const std::array<std::array<bool, 256>, 2> tables = {deletable(false), deletable(true)};
     Mask image = mask;
-    std::vector<Point2i> foreground, marked; // `marked` is M
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x)
-            if (image(x, y)) foreground.push_back({x, y});
+    std::vector<Point2i> foreground = foreground_pixels(image), marked; // `marked` is M
     for (bool changed = true; changed;) {
         changed = false;
         for (const auto& table : tables) {
@@ -59,16 +56,14 @@ Mask zhang_suen(const Mask& mask) {
 
 Mask remove_redundant_pixels(const Mask& skeleton) {
     Mask image = skeleton;
-    for (bool changed = true; changed;) {
-        changed = false;
-        for (int y = 0; y < image.height(); ++y)
-            for (int x = 0; x < image.width(); ++x) {
-                if (!image(x, y)) continue;
-                const unsigned n = neighbourhood(image, x, y);
-                if (neighbour_count(n) < 2 || connectivity_number(n) != 1) continue;
-                image(x, y) = 0;
-                changed = true;
-            }
+    std::vector<Point2i> foreground = foreground_pixels(image);
+    const auto redundant = [&image](Point2i p) {
+        const unsigned n = neighbourhood(image, p.x, p.y);
+        if (neighbour_count(n) < 2 || connectivity_number(n) != 1) return false;
+        image(p.x, p.y) = 0;
+        return true;
+    };
+    while (std::erase_if(foreground, redundant) > 0) {
     }
     return image;
 }

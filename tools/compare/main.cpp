@@ -70,14 +70,25 @@ Mask silhouette(const LabelMap& labels) {
     return fill_holes(largest_component(close_square(mask, 2)));
 }
 
+template <class T> Grid<T> transposed(const Grid<T>& grid) {
+    Grid<T> result(grid.height(), grid.width());
+    for (int y = 0; y < grid.height(); ++y)
+        for (int x = 0; x < grid.width(); ++x) result(y, x) = grid(x, y);
+    return result;
+}
+
+// Every pixel with the label of the nearest labelled pixel of the mask. Of equally near ones the stored
+// results take the leftmost, then the uppermost; `nearest_seed` the uppermost, then the leftmost: hence the
+// transposition.
 LabelMap nearest_labels(const LabelMap& labels, const Mask& mask) {
-    Mask seeds(labels.width(), labels.height());
-    for (std::size_t i = 0; i < labels.size(); ++i) seeds.data()[i] = labels.data()[i] != 0;
+    const LabelMap columns = transposed(labels);
+    Mask seeds = transposed(mask);
+    for (std::size_t i = 0; i < seeds.size(); ++i) seeds.data()[i] = seeds.data()[i] && columns.data()[i];
     const Grid<int> nearest = nearest_seed(seeds);
-    LabelMap near(labels.width(), labels.height());
-    for (std::size_t i = 0; i < labels.size(); ++i)
-        if (mask.data()[i] && nearest.data()[i] >= 0) near.data()[i] = labels.data()[nearest.data()[i]];
-    return near;
+    LabelMap near(columns.width(), columns.height());
+    for (std::size_t i = 0; i < near.size(); ++i)
+        if (nearest.data()[i] >= 0) near.data()[i] = columns.data()[nearest.data()[i]];
+    return transposed(near);
 }
 
 } // namespace
@@ -99,7 +110,10 @@ std::vector<Figure> load_figures(const std::filesystem::path& reference, const s
         figure.labels = load_grey(real ? data / "label_maps" / (figure.name.substr(5) + ".png")
                                        : reference / (figure.name + ".png"));
         figure.mask = silhouette(figure.labels);
-        figure.near = nearest_labels(figure.labels, figure.mask);
+        figure.everywhere = nearest_labels(figure.labels, figure.mask);
+        figure.near = figure.everywhere;
+        for (std::size_t i = 0; i < figure.mask.size(); ++i)
+            if (!figure.mask.data()[i]) figure.near.data()[i] = 0;
         figures.push_back(std::move(figure));
     }
     return figures;

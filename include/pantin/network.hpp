@@ -1,0 +1,237 @@
+// The CNN inference kernel: tensors, weight files, layers. What PyTorch computes, on one CPU, with the same
+// bits on every machine and for any number of threads.
+//
+// Determinism. Every output element of a convolution, a transposed convolution and a linear layer is one
+// sequential chain of fused multiply-adds in fp32:
+//     acc = bias;  for (input channel) for (kernel row) for (kernel column)  acc = fma(weight, input, acc)
+// A tap outside the image contributes fma(weight, 0, acc). Vector code and threads work on several elements
+// at once and never split a chain, so every SIMD variant returns the same bits. Weights are finite (checked
+// on load). `network/reference.hpp` holds the plain loops that define each layer; the tests compare the two.
+//
+// Errors: a wrong shape is Error(weights) with one line that names it, because shapes come from weight files.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pantin::network {
+
+// --- tensors ---------------------------------------------------------------------------------------------
+
+// fp32, row-major [batch][channel][row][column], as PyTorch's contiguous NCHW.
+class Tensor {
+public:
+    Tensor() = default;
+    Tensor(int batch, int channels, int height, int width, float value = 0);
+
+    int batch() const { return batch_; }
+    int channels() const { return channels_; }
+    int height() const { return height_; }
+    int width() const { return width_; }
+    std::size_t plane_size() const { return static_cast<std::size_t>(height_) * width_; }
+    std::size_t size() const { return data_.size(); }
+    bool same_shape(const Tensor& other) const;
+
+    float* plane(int n, int c) {
+        return data_.data() + (static_cast<std::size_t>(n) * channels_ + c) * plane_size();
+    }
+    const float* plane(int n, int c) const {
+        return data_.data() + (static_cast<std::size_t>(n) * channels_ + c) * plane_size();
+    }
+    float& operator()(int n, int c, int y, int x) {
+        return plane(n, c)[static_cast<std::size_t>(y) * width_ + x];
+    }
+    float operator()(int n, int c, int y, int x) const {
+        return plane(n, c)[static_cast<std::size_t>(y) * width_ + x];
+    }
+    float* data() { return data_.data(); }
+    const float* data() const { return data_.data(); }
+    auto begin() { return data_.begin(); }
+    auto end() { return data_.end(); }
+    auto begin() const { return data_.begin(); }
+    auto end() const { return data_.end(); }
+    bool operator==(const Tensor&) const = default;
+
+private:
+    int batch_ = 0, channels_ = 0, height_ = 0, width_ = 0;
+    std::vector<float> data_;
+};
+
+// --- where it runs ---------------------------------------------------------------------------------------
+
+enum class Simd { baseline, avx2, avx512, neon };
+inline constexpr Simd all_simd[] = {Simd::baseline, Simd::avx2, Simd::avx512, Simd::neon};
+
+std::string_view name_of(Simd simd);
+// Compiled in, and this processor can run it.
+bool simd_supported(Simd simd);
+// The fastest supported one. The environment variable PANTIN_SIMD (baseline, avx2, avx512, neon) forces
+// another; an unknown or unsupported value is Error(usage).
+Simd best_simd();
+
+// Threads and instruction set of a forward pass. Results depend on neither.
+class Runtime {
+public:
+    explicit Runtime(int threads = 1, Simd simd = best_simd());
+    ~Runtime();
+    Runtime(const Runtime&) = delete;
+    Runtime& operator=(const Runtime&) = delete;
+
+    int threads() const;
+    Simd simd() const { return simd_; }
+    // Calls task(0) … task(count − 1), each once, in any order, on all threads; returns when all are done.
+    // The first exception of a task is rethrown. One loop at a time.
+    void parallel_for(int count, const std::function<void(int)>& task) const;
+
+    // At least `count` floats of undefined content, valid until the next call: the layers' working memory.
+    float* scratch(std::size_t count) const;
+
+private:
+    struct Pool;
+    Simd simd_;
+    std::unique_ptr<Pool> pool_;
+};
+
+// --- weight files ----------------------------------------------------------------------------------------
+
+// The safetensors format (8 bytes of header length, JSON header, tensor bytes), bounds-checked: anything
+// malformed is Error(weights) naming the source and, where there is one, the tensor. Little-endian F32 and
+// F16 tensors can be read; tensors of other types are allowed in the file. The bytes must outlive the object.
+class WeightFile {
+public:
+    WeightFile(std::span<const unsigned char> bytes, std::string source);
+
+    const std::string& source() const { return source_; }
+    bool contains(const std::string& name) const { return entries_.count(name) != 0; }
+    std::vector<std::string> names() const; // in alphabetical order
+    std::vector<std::int64_t> shape(const std::string& name) const;
+    // Value of `__metadata__`; Error(weights) when missing.
+    const std::string& metadata(const std::string& key) const;
+    // The tensor as floats. Error(weights) when missing, of another shape or type, or with a value that is
+    // not finite.
+    std::vector<float> read(const std::string& name, const std::vector<std::int64_t>& expected_shape) const;
+    // The message of every Error(weights) about this file starts with its source.
+    [[noreturn]] void fail(const std::string& fact) const;
+
+private:
+    struct Entry {
+        std::string type;
+        std::vector<std::int64_t> shape;
+        std::size_t begin = 0, end = 0; // in bytes_
+    };
+    const Entry& entry(const std::string& name) const;
+    void check_tiling(std::size_t data) const;
+
+    std::span<const unsigned char> bytes_;
+    std::string source_;
+    std::map<std::string, std::string> metadata_;
+    std::map<std::string, Entry> entries_;
+};
+
+// IEEE 754 binary16 to binary32, exact.
+float half_to_float(std::uint16_t half);
+
+// --- layers with weights ---------------------------------------------------------------------------------
+
+struct ConvolutionOptions {
+    int stride = 1, padding = 0, dilation = 1, groups = 1;
+    int output_padding = 0; // transposed convolution only
+    bool relu = false;      // max(0, ·) on the result
+};
+
+// Filters of a convolution, as PyTorch stores them: [out][in / groups][row][column]; of a transposed
+// convolution: [in][out / groups][row][column].
+struct Filters {
+    int out = 0, in = 0, height = 0, width = 0; // of the whole layer, all groups
+    std::vector<float> weights;
+    std::vector<float> bias; // [out]
+};
+// Inference-time batch normalisation, one value per output channel.
+struct BatchNorm {
+    std::vector<float> gamma, beta, mean, variance;
+    double epsilon = 1e-5;
+};
+// The normalisation folded into filters [out][…]: w·γ/√(σ²+ε) and β + (b − μ)·γ/√(σ²+ε), in double, rounded
+// once.
+Filters fold(Filters filters, const BatchNorm& norm);
+
+// Weights of a layer, repacked for the kernel: [block of rows][in][tap][row of the block].
+struct PackedFilters;
+
+// Convolution in PyTorch's sense (cross-correlation), zero padding.
+class Convolution {
+public:
+    Convolution(Filters filters, const ConvolutionOptions& options);
+    Convolution(Convolution&&) noexcept;
+    Convolution& operator=(Convolution&&) noexcept;
+    ~Convolution();
+    Tensor forward(const Tensor& input, const Runtime& runtime) const;
+    // Multiply-accumulates of one image of that size.
+    std::int64_t operations(int height, int width) const;
+    int out_height(int height) const;
+    int out_width(int width) const;
+    int out_channels() const { return filters_.out; }
+
+private:
+    Filters filters_; // without weights, they live in packed_
+    ConvolutionOptions options_;
+    std::unique_ptr<PackedFilters> packed_;
+};
+
+// The chain of an output element runs over the taps that reach it alone: those whose stride fits.
+class TransposedConvolution {
+public:
+    TransposedConvolution(Filters filters, const ConvolutionOptions& options);
+    TransposedConvolution(TransposedConvolution&&) noexcept;
+    TransposedConvolution& operator=(TransposedConvolution&&) noexcept;
+    ~TransposedConvolution();
+    Tensor forward(const Tensor& input, const Runtime& runtime) const;
+
+private:
+    struct Phase;
+    Filters filters_;
+    ConvolutionOptions options_;
+    std::vector<Phase> phases_; // one per residue of the output position modulo the stride
+};
+
+// y = W·x + b on the flattened [channel][row][column] of each batch entry; result [batch][out][1][1].
+class Linear {
+public:
+    // weights: [out][in], bias: [out].
+    Linear(int out, int in, const std::vector<float>& weights, std::vector<float> bias);
+    Tensor forward(const Tensor& input, const Runtime& runtime) const;
+
+private:
+    int out_, in_;
+    std::size_t row_;               // floats per row of transposed_, a whole number of vectors
+    std::vector<float> transposed_; // [in][row_]
+    std::vector<float> bias_;
+};
+
+// --- layers without weights ------------------------------------------------------------------------------
+
+// Padded taps do not count. `ceil_mode` off, as PyTorch's default.
+Tensor max_pool(const Tensor& input, int kernel, int stride, int padding = 0);
+// Sum in raster order in double, divided by the number of taps inside the image (count_include_pad = false).
+Tensor average_pool(const Tensor& input, int kernel, int stride, int padding = 0);
+Tensor global_average_pool(const Tensor& input);
+Tensor global_max_pool(const Tensor& input);
+
+void relu(Tensor& x);                      // x > 0 ? x : 0
+void add_relu(Tensor& x, const Tensor& y); // relu(x + y)
+void add(Tensor& x, const Tensor& y);
+Tensor concatenate(const Tensor& a, const Tensor& b); // along channels
+Tensor resize_nearest(const Tensor& input, int height, int width);
+// PyTorch's bilinear interpolation with align_corners = false, without antialiasing.
+Tensor resize_bilinear(const Tensor& input, int height, int width, const Runtime& runtime);
+// Over channels: exp(x − max) in double by math::exp, summed in the order of channels, rounded once.
+Tensor softmax(const Tensor& logits, const Runtime& runtime);
+
+} // namespace pantin::network

@@ -1,0 +1,143 @@
+// Step 4: which reference skeleton the character moves like (thesis 4.5; readings in ERRATA 8–13).
+#include <algorithm>
+#include <cmath>
+
+#include "core/math.hpp"
+#include "identification/evidence.hpp"
+#include "pantin/error.hpp"
+
+namespace pantin {
+namespace {
+
+constexpr int most_ends = 24;       // a skeleton with more is a scribble
+constexpr double tie = 1e-9;        // distances closer than this are equal
+constexpr double ilp_margin = 1e-6; // GLPK's own tolerance on sums
+constexpr double smallest_part =
+    0.02; // share of the silhouette that can move although no skeleton end lies in it
+
+[[noreturn]] void reject(const std::string& reason) { throw CharacterRejected("identify", reason); }
+
+bool can_move(Label label) { return label == Label::limb || label == Label::wing || label == Label::tail; }
+
+// A head alone, a blob, a scribble.
+void reject_what_cannot_move(const SkeletonGraph& graph, const LabelMap& labels) {
+    if (graph.edges.empty()) reject("a blob: its skeleton has no edge");
+    int ends = 0, moving_ends = 0;
+    for (const SkeletonVertex& v : graph.vertices) {
+        ends += v.end;
+        moving_ends += v.end && can_move(v.label);
+    }
+    if (ends > most_ends) reject("a scribble: its skeleton has " + std::to_string(ends) + " ends");
+    std::vector<Label> present;
+    for (int l = 1; l < label_count; ++l)
+        if (!part_region(labels, {static_cast<Label>(l)}).empty()) present.push_back(static_cast<Label>(l));
+    if (present.size() == 1) reject("one part only: " + std::string(name_of(present[0])));
+    const double area =
+        part_region(labels, {Label::head, Label::body, Label::limb, Label::tail, Label::wing}).area;
+    const double moving = part_region(labels, {Label::limb, Label::tail, Label::wing}).area;
+    if (moving_ends == 0 && moving < smallest_part * area) reject("no limb, wing or tail: nothing can move");
+}
+
+GgdOptions options_for(const ReferenceSkeleton& reference, const IdentificationOptions& options) {
+    GgdOptions ggd = options.ggd;
+    if (options.thesis_score && reference.name == "quadruped") ggd.k_v = 0.38; // ERRATA 8
+    return ggd;
+}
+
+GgdResult solve(const LabelledGraph& a, const LabelledGraph& b, const GgdOptions& ggd, bool use_ilp) {
+    const GgdResult result = geometric_graph_distance(a, b, ggd);
+    if (use_ilp && ilp_available() && result.optimal) {
+        const GgdResult check = geometric_graph_distance_ilp(a, b, ggd, IlpFormulation::tightened);
+        if (std::abs(check.distance - result.distance) > ilp_margin)
+            throw Error(ErrorKind::internal, "branch and bound and GLPK disagree on a graph distance");
+    }
+    return result;
+}
+
+// The better side of a reference; the drawn side on a tie.
+Candidate compare(const LabelledGraph& graph, const ReferenceSkeleton& reference,
+                  const IdentificationOptions& options) {
+    const GgdOptions ggd = options_for(reference, options);
+    const LabelledGraph model = normalised(to_labelled_graph(reference));
+    GgdResult best = solve(graph, model, ggd, options.use_ilp);
+    Candidate candidate;
+    candidate.reference = reference.name;
+    if (!options.thesis_score) {
+        GgdResult other = solve(graph, mirrored(model), ggd, options.use_ilp);
+        candidate.mirrored = other.distance < best.distance - tie;
+        if (candidate.mirrored) best = std::move(other);
+    }
+    candidate.distance = best.distance;
+    candidate.optimal = best.optimal;
+    candidate.pairs = std::move(best.pairs);
+    return candidate;
+}
+
+// K_e Σ|e'|: what a drawing without any edge in common would pay for the reference (ERRATA 9).
+double reference_cost(const ReferenceSkeleton& reference, const GgdOptions& ggd) {
+    const LabelledGraph model = normalised(to_labelled_graph(reference));
+    double sum = 0;
+    for (const auto& [u, v] : model.edges) sum += distance(model.positions[u], model.positions[v]);
+    return ggd.k_e * sum;
+}
+
+// The type whose evidence a reference shares: its own, or that of the compiled-in reference nearest to it.
+std::string type_of(const ReferenceSkeleton& reference) {
+    if (has_evidence(reference.name)) return reference.name;
+    const LabelledGraph graph = normalised(to_labelled_graph(reference));
+    std::string nearest;
+    double smallest = 0;
+    for (const ReferenceSkeleton& known : load_references()) {
+        const double d = geometric_graph_distance(graph, normalised(to_labelled_graph(known))).distance;
+        const double divided = d / reference_cost(known, {});
+        if (!nearest.empty() && divided >= smallest) continue;
+        nearest = known.name;
+        smallest = divided;
+    }
+    return nearest;
+}
+
+void score(Candidate& candidate, const ReferenceSkeleton& reference, const Traits& traits,
+           const IdentificationOptions& options) {
+    if (options.thesis_score) {
+        candidate.score = candidate.distance;
+        return;
+    }
+    const double divided = candidate.distance / reference_cost(reference, options.ggd);
+    if (!options.use_evidence) {
+        candidate.score = divided;
+        return;
+    }
+    candidate.evidence = evidence_terms(type_of(reference), divided, traits);
+    for (const auto& [name, contribution] : candidate.evidence) candidate.score += contribution;
+}
+
+// exp(−best) / Σ exp(−score): the posterior of the fitted model under equal priors.
+double confidence_of(const std::vector<Candidate>& candidates) {
+    double sum = 0;
+    for (const Candidate& c : candidates) sum += math::exp(candidates.front().score - c.score);
+    return 1 / sum;
+}
+
+} // namespace
+
+Identification identify(const SkeletonGraph& graph, const LabelMap& labels,
+                        const std::vector<ReferenceSkeleton>& references,
+                        const IdentificationOptions& options) {
+    if (references.empty()) throw Error(ErrorKind::input, "there is no reference skeleton to compare with");
+    reject_what_cannot_move(graph, labels);
+    const LabelledGraph drawn = normalised(to_labelled_graph(graph));
+    const Traits traits = measure_traits(graph, labels);
+    Identification result;
+    for (const ReferenceSkeleton& reference : references) {
+        result.candidates.push_back(compare(drawn, reference, options));
+        score(result.candidates.back(), reference, traits, options);
+    }
+    std::stable_sort(result.candidates.begin(), result.candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
+    result.reference = result.candidates.front().reference;
+    result.confidence = confidence_of(result.candidates);
+    return result;
+}
+
+} // namespace pantin

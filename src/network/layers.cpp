@@ -1,0 +1,205 @@
+// Layers without weights: pooling, activations, joining, resizing, softmax.
+#include <algorithm>
+#include <limits>
+
+#include "core/math.hpp"
+#include "pantin/error.hpp"
+#include "pantin/network.hpp"
+
+namespace pantin::network {
+namespace {
+
+[[noreturn]] void fail(const std::string& fact) { throw Error(ErrorKind::weights, "network: " + fact); }
+
+// Calls visit(plane, output place, first row, row after the last, first column, column after the last) for
+// every window, cut at the image.
+template <class Visit>
+Tensor pool(const Tensor& input, int kernel, int stride, int padding, const Visit& visit) {
+    if (kernel < 1 || stride < 1 || padding < 0 || 2 * padding > kernel)
+        fail("a pooling layer with an impossible window");
+    const auto extent = [&](int size) { return std::max(0, (size + 2 * padding - kernel) / stride + 1); };
+    if (input.height() + 2 * padding < kernel || input.width() + 2 * padding < kernel)
+        fail("a pooling window larger than its image");
+    Tensor output(input.batch(), input.channels(), extent(input.height()), extent(input.width()));
+    for (int n = 0; n < input.batch(); ++n)
+        for (int c = 0; c < input.channels(); ++c)
+            for (int y = 0; y < output.height(); ++y)
+                for (int x = 0; x < output.width(); ++x) {
+                    const int top = y * stride - padding, left = x * stride - padding;
+                    output(n, c, y, x) =
+                        visit(input.plane(n, c), std::max(0, top), std::min(input.height(), top + kernel),
+                              std::max(0, left), std::min(input.width(), left + kernel));
+                }
+    return output;
+}
+
+} // namespace
+
+Tensor max_pool(const Tensor& input, int kernel, int stride, int padding) {
+    return pool(input, kernel, stride, padding,
+                [&](const float* plane, int top, int bottom, int left, int right) {
+                    float best = -std::numeric_limits<float>::infinity();
+                    for (int y = top; y < bottom; ++y)
+                        for (int x = left; x < right; ++x)
+                            best = std::max(best, plane[static_cast<std::size_t>(y) * input.width() + x]);
+                    return best;
+                });
+}
+
+Tensor average_pool(const Tensor& input, int kernel, int stride, int padding) {
+    return pool(input, kernel, stride, padding,
+                [&](const float* plane, int top, int bottom, int left, int right) {
+                    double sum = 0;
+                    for (int y = top; y < bottom; ++y)
+                        for (int x = left; x < right; ++x)
+                            sum += plane[static_cast<std::size_t>(y) * input.width() + x];
+                    return static_cast<float>(sum / (static_cast<double>(bottom - top) * (right - left)));
+                });
+}
+
+Tensor global_average_pool(const Tensor& input) {
+    if (input.plane_size() == 0) fail("pooling over an empty image");
+    Tensor output(input.batch(), input.channels(), 1, 1);
+    for (int n = 0; n < input.batch(); ++n)
+        for (int c = 0; c < input.channels(); ++c) {
+            double sum = 0;
+            for (std::size_t i = 0; i < input.plane_size(); ++i) sum += input.plane(n, c)[i];
+            output(n, c, 0, 0) = static_cast<float>(sum / static_cast<double>(input.plane_size()));
+        }
+    return output;
+}
+
+Tensor global_max_pool(const Tensor& input) {
+    if (input.plane_size() == 0) fail("pooling over an empty image");
+    Tensor output(input.batch(), input.channels(), 1, 1);
+    for (int n = 0; n < input.batch(); ++n)
+        for (int c = 0; c < input.channels(); ++c)
+            output(n, c, 0, 0) = *std::max_element(input.plane(n, c), input.plane(n, c) + input.plane_size());
+    return output;
+}
+
+void relu(Tensor& x) {
+    for (float& value : x) value = value > 0 ? value : 0.0f;
+}
+
+void add_relu(Tensor& x, const Tensor& y) {
+    if (!x.same_shape(y)) fail("a sum of tensors of different shapes");
+    const float* other = y.data();
+    float* own = x.data();
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const float sum = own[i] + other[i];
+        own[i] = sum > 0 ? sum : 0.0f;
+    }
+}
+
+void add(Tensor& x, const Tensor& y) {
+    if (!x.same_shape(y)) fail("a sum of tensors of different shapes");
+    for (std::size_t i = 0; i < x.size(); ++i) x.data()[i] += y.data()[i];
+}
+
+Tensor concatenate(const Tensor& a, const Tensor& b) {
+    if (a.batch() != b.batch() || a.height() != b.height() || a.width() != b.width())
+        fail("tensors of different sizes are joined");
+    Tensor output(a.batch(), a.channels() + b.channels(), a.height(), a.width());
+    for (int n = 0; n < a.batch(); ++n) {
+        std::copy_n(a.plane(n, 0), a.plane_size() * a.channels(), output.plane(n, 0));
+        std::copy_n(b.plane(n, 0), b.plane_size() * b.channels(), output.plane(n, a.channels()));
+    }
+    return output;
+}
+
+// --- resizing --------------------------------------------------------------------------------------------
+
+Tensor resize_nearest(const Tensor& input, int height, int width) {
+    if (input.plane_size() == 0 || height < 1 || width < 1) fail("an empty image is resized");
+    Tensor output(input.batch(), input.channels(), height, width);
+    for (int n = 0; n < input.batch(); ++n)
+        for (int c = 0; c < input.channels(); ++c)
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x)
+                    output(n, c, y, x) =
+                        input(n, c, static_cast<int>(static_cast<std::int64_t>(y) * input.height() / height),
+                              static_cast<int>(static_cast<std::int64_t>(x) * input.width() / width));
+    return output;
+}
+
+namespace {
+
+// Where an output coordinate lies between two input coordinates. Pixel centres are at + ½.
+struct Between {
+    int first = 0, second = 0;
+    float weight = 0; // of the second
+};
+std::vector<Between> places(int in, int out) {
+    std::vector<Between> all(out);
+    const float scale = static_cast<float>(in) / static_cast<float>(out);
+    for (int i = 0; i < out; ++i) {
+        const float place = std::max(0.0f, (static_cast<float>(i) + 0.5f) * scale - 0.5f);
+        all[i].first = std::min(static_cast<int>(place), in - 1);
+        all[i].second = std::min(all[i].first + 1, in - 1);
+        all[i].weight = place - static_cast<float>(all[i].first);
+    }
+    return all;
+}
+
+void stretch_row(const float* in, const std::vector<Between>& columns, float* out) {
+    for (std::size_t x = 0; x < columns.size(); ++x) {
+        const Between& at = columns[x];
+        out[x] = in[at.first] * (1 - at.weight) + in[at.second] * at.weight;
+    }
+}
+
+} // namespace
+
+Tensor resize_bilinear(const Tensor& input, int height, int width, const Runtime& runtime) {
+    if (input.plane_size() == 0 || height < 1 || width < 1) fail("an empty image is resized");
+    const std::vector<Between> rows = places(input.height(), height), columns = places(input.width(), width);
+    Tensor output(input.batch(), input.channels(), height, width);
+    runtime.parallel_for(input.batch() * input.channels(), [&](int plane) {
+        const float* in = input.data() + input.plane_size() * plane;
+        float* out = output.data() + output.plane_size() * plane;
+        // Two input rows, stretched to the new width, are kept: those around the current output row.
+        std::vector<float> stretched[2] = {std::vector<float>(width), std::vector<float>(width)};
+        int held[2] = {-1, -1};
+        const auto row = [&](int y) {
+            if (held[y % 2] != y)
+                stretch_row(in + static_cast<std::size_t>(y) * input.width(), columns,
+                            stretched[y % 2].data());
+            held[y % 2] = y;
+            return stretched[y % 2].data();
+        };
+        for (int y = 0; y < height; ++y, out += width) {
+            const float *top = row(rows[y].first), *bottom = row(rows[y].second), weight = rows[y].weight;
+            for (int x = 0; x < width; ++x) out[x] = top[x] * (1 - weight) + bottom[x] * weight;
+        }
+    });
+    return output;
+}
+
+// --- softmax ---------------------------------------------------------------------------------------------
+
+Tensor softmax(const Tensor& logits, const Runtime& runtime) {
+    Tensor output(logits.batch(), logits.channels(), logits.height(), logits.width());
+    const std::size_t size = logits.plane_size();
+    const int channels = logits.channels();
+    runtime.parallel_for(logits.batch() * logits.height(), [&](int task) {
+        const int n = task / logits.height();
+        const std::size_t begin = static_cast<std::size_t>(task % logits.height()) * logits.width();
+        std::vector<double> powers(channels);
+        for (int x = 0; x < logits.width(); ++x) {
+            const float* in = logits.plane(n, 0) + begin + x;
+            float largest = in[0];
+            for (int c = 1; c < channels; ++c) largest = std::max(largest, in[size * c]);
+            double sum = 0;
+            for (int c = 0; c < channels; ++c) {
+                powers[c] = math::exp(static_cast<double>(in[size * c]) - largest);
+                sum += powers[c];
+            }
+            for (int c = 0; c < channels; ++c)
+                output.plane(n, c)[begin + x] = static_cast<float>(powers[c] / sum);
+        }
+    });
+    return output;
+}
+
+} // namespace pantin::network

@@ -1,0 +1,33 @@
+// Random layers for the tests, the same on every machine.
+#pragma once
+
+#include "core/random.hpp"
+#include "pantin/network.hpp"
+
+namespace pantin::network {
+
+inline std::vector<float> random_floats(Random& random, std::size_t count) {
+    std::vector<float> values(count);
+    for (float& value : values) value = static_cast<float>(random.uniform(-1, 1));
+    return values;
+}
+
+inline Tensor random_tensor(Random& random, int batch, int channels, int height, int width) {
+    Tensor tensor(batch, channels, height, width);
+    for (float& value : tensor) value = random.chance(0.1) ? 0.0f : static_cast<float>(random.uniform(-1, 1));
+    return tensor;
+}
+
+// `weights` per filter pair: out·in/groups·height·width in all, in either layout.
+inline Filters random_filters(Random& random, int out, int in, int height, int width, int groups) {
+    Filters filters;
+    filters.out = out;
+    filters.in = in;
+    filters.height = height;
+    filters.width = width;
+    filters.weights = random_floats(random, static_cast<std::size_t>(out) * in / groups * height * width);
+    filters.bias = random_floats(random, static_cast<std::size_t>(out));
+    return filters;
+}
+
+} // namespace pantin::network

@@ -1,0 +1,66 @@
+// From a figure to ink on white and its label map.
+#pragma once
+
+#include <array>
+
+#include "doodle/doodle.hpp"
+#include "doodle/figure.hpp"
+#include "doodle/raster.hpp"
+#include "pantin/grid.hpp"
+
+namespace pantin::doodle {
+
+using Colour = std::array<float, 3>; // 0 … 255
+
+enum class Filling { none, flat, hatched, wash };
+
+// One person's pen and way of drawing, in pixels where not said otherwise.
+struct Hand {
+    double pen = 3.0;
+    Colour ink{20, 20, 20};
+    double opacity = 1.0;
+    double grain = 0.0;     // 0 … 1: how much the paper's tooth shows through
+    double pressure = 0.1;  // relative variation of the width
+    double taper = 0.0;     // how thin the ends get, 0 … 1
+    double bulge = 0.02;    // slow deviation of outlines, relative to a part's size
+    double wobble = 0.6;    // slow deviation of single strokes
+    double tremor = 0.2;    // fast deviation
+    double corners = 0.0;   // tolerance of the polyline that replaces curves; 0: smooth
+    double overshoot = 2.0; // how far ends run over or stop short
+    double gap = 0.1;       // probability that a stroke is interrupted
+    double again = 0.05;    // probability that a stroke is drawn twice
+    Filling filling = Filling::none;
+    std::vector<Colour> paints;  // per Part::paint
+    bool coloured_lines = false; // lines in the paint of their part
+};
+Hand random_hand(Random& random, const DoodleOptions& options);
+
+struct Layer {
+    Grid<Colour> ink; // on white
+    LabelMap labels;
+};
+
+// Scales, mirrors, tilts and moves the figure into the given room; returns the way it faces then.
+std::string place_figure(Figure& figure, Random& random, Box room, const DoodleOptions& options);
+// Draws a figure whose points are pixels.
+Layer draw_figure(const Figure& figure, const Hand& hand, Random& random, int width, int height);
+
+// Makes the silhouette one 8-connected piece without holes, every pixel with a part (truth.cpp).
+void complete_silhouette(LabelMap& labels, double pen);
+Box label_box(const LabelMap& labels);
+
+// Ink strokes (stroke.cpp). Draws the open line with the hand's habits; sets `drawn` where ink lies.
+void ink_line(Layer& layer, const Path& line, const Hand& hand, const Colour& colour, double width,
+              Random& random, Grid<std::uint8_t>& drawn);
+void fill_ink(Layer& layer, const Path& outline, const Hand& hand, const Colour& colour);
+// Colours the pixels of `where` in (part of `area`).
+void colour_in(Layer& layer, const Grid<std::uint8_t>& where, const Box& area, const Hand& hand,
+               const Colour& colour, Random& random);
+
+// Value noise in [0, 1) that depends on the pixel and the seed only.
+double pixel_noise(int x, int y, std::uint64_t seed);
+
+// Multiplies the ink onto a paper (paper.cpp).
+RgbImage on_paper(const Grid<Colour>& ink, Random& random, bool photo);
+
+} // namespace pantin::doodle

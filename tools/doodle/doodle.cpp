@@ -1,0 +1,117 @@
+#include "doodle/doodle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "doodle/canvas.hpp"
+#include "pantin/error.hpp"
+
+namespace pantin::doodle {
+namespace {
+
+Figure build_figure(Random& random, const std::string& type, const std::string& wanted) {
+    const std::vector<std::string> species = species_of(type);
+    if (species.empty()) return build_decoy(random, type);
+    const std::string drawn = random.pick(species); // drawn from the stream in any case
+    const std::string& name = wanted.empty() ? drawn : wanted;
+    if (std::find(species.begin(), species.end(), name) == species.end())
+        throw Error(ErrorKind::usage, "no species '" + name + "' of type " + type);
+    if (type == "humanoid") return build_humanoid(random, name);
+    if (type == "quadruped") return build_quadruped(random, name);
+    return build_flyer(random, name);
+}
+
+void check_size(int width, int height) {
+    if (width < 64 || height < 64)
+        throw Error(ErrorKind::usage, "a doodle is at least 64 pixels wide and high");
+}
+
+struct Drawn {
+    Layer layer;
+    Character character;
+};
+
+Drawn draw_alone(const std::string& type, Random& random, const Hand& hand, const DoodleOptions& options) {
+    Figure figure = build_figure(random, type, options.species);
+    const int margin = std::max(4, static_cast<int>(1.5 * hand.pen + hand.overshoot));
+    const Box room{margin, margin, options.width - 2 * margin, options.height - 2 * margin};
+    Drawn drawn;
+    drawn.character.type = type;
+    drawn.character.species = figure.species;
+    drawn.character.pose = place_figure(figure, random, room, options);
+    drawn.layer = draw_figure(figure, hand, random, options.width, options.height);
+    drawn.character.box = label_box(drawn.layer.labels);
+    return drawn;
+}
+
+} // namespace
+
+const std::vector<std::string>& character_types() {
+    static const std::vector<std::string> types = {"humanoid", "quadruped", "flying"};
+    return types;
+}
+
+std::vector<std::string> species_of(const std::string& type) {
+    if (type == "humanoid") return humanoid_species();
+    if (type == "quadruped") return quadruped_species();
+    if (type == "flying") return flyer_species();
+    if (type == "head" || type == "blob" || type == "scribble") return {};
+    throw Error(ErrorKind::usage, "unknown type of doodle '" + type + "'");
+}
+
+Doodle draw_character(const std::string& type, std::uint64_t seed, const DoodleOptions& options) {
+    check_size(options.width, options.height);
+    Random style = Random::stream(seed, 0), figure = Random::stream(seed, 1), paper = Random::stream(seed, 2);
+    const Hand hand = random_hand(style, options);
+    Drawn drawn = draw_alone(type, figure, hand, options);
+    Doodle doodle;
+    static_cast<Character&>(doodle) = drawn.character;
+    const bool photo = paper.chance(options.photo);
+    doodle.picture = on_paper(drawn.layer.ink, paper, photo);
+    doodle.labels = std::move(drawn.layer.labels);
+    return doodle;
+}
+
+Page draw_page(const std::vector<std::string>& types, std::uint64_t seed, const DoodleOptions& options) {
+    check_size(options.width, options.height);
+    const int count = std::max(1, static_cast<int>(types.size()));
+    // The grid whose cells are most nearly square.
+    int columns = 1;
+    double best = 1e9;
+    for (int c = 1; c <= count; ++c) {
+        const int rows = (count + c - 1) / c;
+        const double ratio =
+            (static_cast<double>(options.width) / c) / (static_cast<double>(options.height) / rows);
+        const double badness = std::max(ratio, 1.0 / ratio) + 0.15 * (c * rows - count);
+        if (badness < best) best = badness, columns = c;
+    }
+    const int rows = (count + columns - 1) / columns;
+    Random style = Random::stream(seed, 0), paper = Random::stream(seed, 2);
+    DoodleOptions cell = options;
+    cell.width = std::max(64, options.width / columns), cell.height = std::max(64, options.height / rows);
+    const Hand hand = random_hand(style, cell);
+    Page page;
+    Grid<Colour> ink(options.width, options.height, Colour{255, 255, 255});
+    page.labels = LabelMap(options.width, options.height);
+    page.instances = GreyImage(options.width, options.height);
+    for (std::size_t i = 0; i < types.size(); ++i) {
+        Random figure = Random::stream(seed, 16 + i);
+        Drawn drawn = draw_alone(types[i], figure, hand, cell);
+        const int left = static_cast<int>(i) % columns * cell.width,
+                  top = static_cast<int>(i) / columns * cell.height;
+        for (int y = 0; y < cell.height && top + y < options.height; ++y)
+            for (int x = 0; x < cell.width && left + x < options.width; ++x) {
+                ink(left + x, top + y) = drawn.layer.ink(x, y);
+                page.labels(left + x, top + y) = drawn.layer.labels(x, y);
+                if (drawn.layer.labels(x, y) != 0)
+                    page.instances(left + x, top + y) = static_cast<std::uint8_t>(i + 1);
+            }
+        drawn.character.box.x += left, drawn.character.box.y += top;
+        page.characters.push_back(drawn.character);
+    }
+    const bool photo = paper.chance(options.photo);
+    page.picture = on_paper(ink, paper, photo);
+    return page;
+}
+
+} // namespace pantin::doodle

@@ -1,0 +1,57 @@
+// A generator of labelled drawings: characters as people scribble them, with the truth that the pipeline has
+// to find. It makes training data, testdata/ and the pages of the property tests. Everything follows from the
+// seed, to the bit, on any machine.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "pantin/grid.hpp"
+#include "pantin/point.hpp"
+
+namespace pantin::doodle {
+
+struct DoodleOptions {
+    int width = 320, height = 320; // pixels of the picture; at least 64
+    double fill = 0.0;             // longer side of the character / room for it; 0: random in 0.6 … 0.95
+    double photo = 0.3;   // probability of the photo look: tinted paper, shadow, vignette, noise, blur
+    double colour = 0.25; // probability that parts are coloured in
+    double pen = 0.0;     // pen width in pixels; 0: random
+    double gaps = 1.0;    // how much the outlines are interrupted (0: never, 1: as people do)
+    double tilt = 1.0;    // how much figures are turned (0: upright)
+    std::string species;  // one of species_of(type); empty: random
+};
+
+struct Character {
+    std::string type;    // humanoid, quadruped, flying; or head, blob, scribble: no character at all
+    std::string species; // what was drawn, e.g. "dog"
+    std::string pose;    // the way it faces on the page: E, NE, N, NW, W, SW, S, SE
+    Box box;             // smallest box of its label pixels
+};
+
+// Labels: 0 background, 1 head (ears, hair, hat, beak, horns), 2 body (neck), 3 limb, 4 tail, 5 wing. The
+// silhouette is closed, filled and 8-connected; what is drawn as a single line is 2.5 pens thick.
+struct Doodle : Character {
+    RgbImage picture;
+    LabelMap labels;
+};
+
+struct Page {
+    RgbImage picture;
+    LabelMap labels;
+    GreyImage instances; // 0 paper, k + 1 where characters[k] is
+    std::vector<Character> characters;
+};
+
+// The types with parts: humanoid, quadruped, flying.
+const std::vector<std::string>& character_types();
+// The species that a type is drawn as; empty for head, blob and scribble. Throws Error(usage) for another
+// type.
+std::vector<std::string> species_of(const std::string& type);
+
+Doodle draw_character(const std::string& type, std::uint64_t seed, const DoodleOptions& options = {});
+// Characters side by side in a loose grid that never overlap; options.species must be empty or fit each type.
+Page draw_page(const std::vector<std::string>& types, std::uint64_t seed, const DoodleOptions& options = {});
+
+} // namespace pantin::doodle

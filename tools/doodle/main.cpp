@@ -1,0 +1,113 @@
+// doodle: writes labelled drawings for training and tests. See --help.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "doodle/doodle.hpp"
+#include "pantin/error.hpp"
+#include "pantin/image.hpp"
+
+namespace {
+
+using namespace pantin;
+using Json = nlohmann::ordered_json;
+
+struct Arguments {
+    std::string folder;
+    int count = 100;
+    std::uint64_t seed = 1;
+    std::string type = "mixed";
+    int per_page = 1, size = 320, height = 0;
+    doodle::DoodleOptions options;
+};
+
+std::string name_of_page(int index) {
+    char text[16];
+    std::snprintf(text, sizeof text, "%06d", index);
+    return text;
+}
+
+Json describe(const doodle::Character& c) {
+    return {{"type", c.type},
+            {"species", c.species},
+            {"pose", c.pose},
+            {"box", {c.box.x, c.box.y, c.box.width, c.box.height}}};
+}
+
+Json write_page(const Arguments& a, int index) {
+    const std::uint64_t seed = a.seed * 1'000'003u + static_cast<std::uint64_t>(index);
+    const std::vector<std::string>& all = doodle::character_types();
+    std::vector<std::string> types;
+    for (int k = 0; k < a.per_page; ++k)
+        types.push_back(a.type == "mixed" ? all[static_cast<std::size_t>(index + k) % all.size()] : a.type);
+    const std::filesystem::path folder = a.folder;
+    const std::string id = name_of_page(index);
+    Json row = {{"id", id}, {"seed", seed}, {"width", a.options.width}, {"height", a.options.height}};
+    if (a.per_page == 1) {
+        const doodle::Doodle d = doodle::draw_character(types.front(), seed, a.options);
+        save_png(folder / "image" / (id + ".png"), d.picture);
+        save_png(folder / "label" / (id + ".png"), d.labels);
+        row.update(describe(d));
+        return row;
+    }
+    const doodle::Page page = doodle::draw_page(types, seed, a.options);
+    save_png(folder / "image" / (id + ".png"), page.picture);
+    save_png(folder / "label" / (id + ".png"), page.labels);
+    save_png(folder / "instance" / (id + ".png"), page.instances);
+    row["characters"] = Json::array();
+    for (const doodle::Character& c : page.characters) row["characters"].push_back(describe(c));
+    return row;
+}
+
+void run(const Arguments& a) {
+    const std::filesystem::path folder = a.folder;
+    for (const char* part : {"image", "label"}) std::filesystem::create_directories(folder / part);
+    if (a.per_page > 1) std::filesystem::create_directories(folder / "instance");
+    std::ofstream index(folder / "index.ndjson", std::ios::binary);
+    for (int i = 0; i < a.count; ++i) index << write_page(a, i).dump() << '\n';
+    index.flush();
+    if (!index) throw Error(ErrorKind::output, (folder / "index.ndjson").string() + ": cannot be written");
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    Arguments a;
+    CLI::App app{"Draws labelled characters: OUT/image, OUT/label (value = part), OUT/instance (several on a "
+                 "page), OUT/index.ndjson"};
+    app.add_option("out", a.folder, "folder to write")->required();
+    app.add_option("--count", a.count, "drawings")->check(CLI::Range(1, 1'000'000));
+    app.add_option("--seed", a.seed, "everything follows from it");
+    app.add_option("--type", a.type, "humanoid, quadruped, flying, mixed, head, blob or scribble")
+        ->check(CLI::IsMember({"humanoid", "quadruped", "flying", "mixed", "head", "blob", "scribble"}));
+    app.add_option("--species", a.options.species, "what exactly, e.g. dog");
+    app.add_option("--per-page", a.per_page, "characters on one page")->check(CLI::Range(1, 64));
+    app.add_option("--size", a.size, "width in pixels, and height unless given")->check(CLI::Range(64, 4096));
+    app.add_option("--height", a.height, "height in pixels")->check(CLI::Range(64, 4096));
+    app.add_option("--photo", a.options.photo, "share of drawings that look photographed")
+        ->check(CLI::Range(0.0, 1.0));
+    app.add_option("--colour", a.options.colour, "share of drawings that are coloured in")
+        ->check(CLI::Range(0.0, 1.0));
+    app.add_option("--pen", a.options.pen, "pen width in pixels (0: random)")->check(CLI::Range(0.0, 64.0));
+    app.add_option("--fill", a.options.fill, "size of the character in its room (0: random)")
+        ->check(CLI::Range(0.0, 1.0));
+    app.add_option("--gaps", a.options.gaps, "how much outlines are interrupted")
+        ->check(CLI::Range(0.0, 2.0));
+    CLI11_PARSE(app, argc, argv);
+    a.options.width = a.size;
+    a.options.height = a.height > 0 ? a.height : a.size;
+    try {
+        run(a);
+    } catch (const Error& error) {
+        std::cerr << "doodle: " << error.what() << '\n';
+        return static_cast<int>(error.kind());
+    } catch (const std::exception& error) {
+        std::cerr << "doodle: " << error.what() << '\n';
+        return 1;
+    }
+    return 0;
+}
