@@ -36,6 +36,14 @@ inline std::vector<Point2i> foreground_pixels(const Mask& image) {
 
 inline int neighbour_count(unsigned neighbourhood) { return std::popcount(neighbourhood); }
 
+// The end of a line: at most one neighbour, or two side by side, as at the end of a staircase (which would
+// else be eaten up from there).
+inline bool is_line_end(unsigned neighbourhood) {
+    if (neighbour_count(neighbourhood) < 2) return true;
+    const unsigned turned = (neighbourhood >> 1 | neighbourhood << 7) & 255u;
+    return neighbour_count(neighbourhood) == 2 && (neighbourhood & turned) != 0;
+}
+
 // Yokoi's connectivity number for an 8-connected foreground (Yokoi, Toriwaki & Fukumura 1975): the number of
 // 8-components of the neighbours that an edge neighbour of background separates. A pixel whose number is 1
 // can be removed without changing how many components and holes there are.

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "pantin/image.hpp"
-#include "skeletonization/connection.hpp"
+#include "skeletonization/topology.hpp"
 #include "skeletonization/voronoi_skeleton.hpp"
 
 namespace pantin {
@@ -64,10 +64,10 @@ Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions
     const BorderSites sites = border_sites(s.contour, s.mask.width(), s.mask.height());
     find_voronoi(s, sites, options.residual);
     const Mask ridges = rasterise(s.voronoi, s.residuals, sites, s.mask, threshold);
-    s.voronoi_raster = fill_spurious_cycles(bridge_gaps(ridges, s.mask), s.mask);
+    s.voronoi_raster = restore_topology(ridges, s.mask);
     s.thinned = zhang_suen(s.voronoi_raster);
     // It deletes a 2×2 square as a whole; the shape then keeps its deepest pixel.
-    if (area(s.thinned) == 0) s.thinned = bridge_gaps(s.thinned, s.mask);
+    if (area(s.thinned) == 0) s.thinned = restore_topology(s.thinned, s.mask);
     s.skeleton = remove_redundant_pixels(s.thinned);
     s.raw = extract_graph(s.skeleton, labels_on(s.mask, labels));
     s.after_h1 = apply_h1(s.raw);

@@ -59,7 +59,7 @@ Mask remove_redundant_pixels(const Mask& skeleton) {
     std::vector<Point2i> foreground = foreground_pixels(image);
     const auto redundant = [&image](Point2i p) {
         const unsigned n = neighbourhood(image, p.x, p.y);
-        if (neighbour_count(n) < 2 || connectivity_number(n) != 1) return false;
+        if (is_line_end(n) || connectivity_number(n) != 1) return false;
         image(p.x, p.y) = 0;
         return true;
     };

@@ -1,0 +1,92 @@
+// Homotopic thinning with anchors: the pixels of the mask are peeled off from the border inwards as long as
+// each is simple (Yokoi, Toriwaki & Fukumura 1975) and none of the raster's own. What is left is homotopic to
+// the mask by construction, contains the raster, and runs along the middle of the mask where the raster has a
+// gap. Pudney, "Distance-ordered homotopic thinning", 1998.
+#include "skeletonization/topology.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "pantin/geometry.hpp"
+#include "pantin/image.hpp"
+#include "skeletonization/neighbourhood.hpp"
+
+namespace pantin {
+namespace {
+
+// Number of components and of holes.
+std::pair<int, int> topology(const Mask& mask) {
+    std::pair<int, int> numbers = {0, 0};
+    for (const Border& border : follow_borders(mask)) (border.outer ? numbers.first : numbers.second) += 1;
+    return numbers;
+}
+
+// Adds the pixel deepest in the mask, the first in raster order among equals.
+void add_deepest_pixel(Mask& anchors, const Grid<int>& squared_depth) {
+    const auto deepest = std::max_element(squared_depth.begin(), squared_depth.end());
+    if (deepest != squared_depth.end() && *deepest > 0) anchors.data()[deepest - squared_depth.begin()] = 1;
+}
+
+Mask peel(const Mask& mask, const Mask& anchors, const Grid<int>& squared_depth) {
+    Mask left = mask;
+    const int width = mask.width();
+    using Entry = std::pair<int, int>; // squared depth, pixel: the shallowest first, then in raster order
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    for (const Point2i p : foreground_pixels(mask))
+        if (squared_depth(p.x, p.y) == 1) queue.push({1, p.y * width + p.x});
+    while (!queue.empty()) {
+        const int index = queue.top().second, x = index % width, y = index / width;
+        queue.pop();
+        if (!left(x, y) || anchors(x, y) || connectivity_number(neighbourhood(left, x, y)) != 1) continue;
+        left(x, y) = 0;
+        for (const Point2i d : neighbour_offsets) // they may have become simple
+            if (left.value_or(x + d.x, y + d.y, 0))
+                queue.push({squared_depth(x + d.x, y + d.y), (y + d.y) * width + x + d.x});
+    }
+    return left;
+}
+
+} // namespace
+
+Mask fill_spurious_cycles(const Mask& raster, const Mask& mask) {
+    // Floods what the raster leaves of the mask, from the mask's border inwards; what stays dry is enclosed.
+    Mask dry = mask;
+    for (std::size_t i = 0; i < mask.size(); ++i) dry.data()[i] = mask.data()[i] && !raster.data()[i];
+    const auto touches_background = [&mask](Point2i p) {
+        return !mask.value_or(p.x - 1, p.y, 0) || !mask.value_or(p.x + 1, p.y, 0) ||
+               !mask.value_or(p.x, p.y - 1, 0) || !mask.value_or(p.x, p.y + 1, 0);
+    };
+    std::vector<Point2i> wet;
+    for (const Point2i p : foreground_pixels(dry))
+        if (touches_background(p)) {
+            dry(p.x, p.y) = 0;
+            wet.push_back(p);
+        }
+    while (!wet.empty()) {
+        const Point2i p = wet.back();
+        wet.pop_back();
+        for (std::size_t k = 0; k < 8; k += 2) {
+            const int x = p.x + neighbour_offsets[k].x, y = p.y + neighbour_offsets[k].y;
+            if (!dry.value_or(x, y, 0)) continue;
+            dry(x, y) = 0;
+            wet.push_back({x, y});
+        }
+    }
+    Mask filled = raster;
+    for (std::size_t i = 0; i < mask.size(); ++i) filled.data()[i] |= dry.data()[i];
+    return filled;
+}
+
+Mask restore_topology(const Mask& raster, const Mask& mask) {
+    Mask filled = fill_spurious_cycles(raster, mask);
+    // Every hole that is left holds a hole of the mask, so that equal numbers are enough.
+    if (topology(filled) == topology(mask)) return filled;
+    const Grid<int> squared_depth = squared_distance_transform(mask);
+    if (std::find(filled.begin(), filled.end(), 1) == filled.end()) add_deepest_pixel(filled, squared_depth);
+    return peel(mask, filled, squared_depth);
+}
+
+} // namespace pantin

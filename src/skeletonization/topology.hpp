@@ -1,0 +1,18 @@
+// Makes the raster of a Voronoi skeleton homotopic to its shape: one component, and one cycle around every
+// hole.
+#pragma once
+
+#include "pantin/grid.hpp"
+
+namespace pantin {
+
+// Fills the 4-connected background regions of the raster that hold no background of the mask: neighbouring
+// ridges that were drawn beside each other close such loops, and thinning would keep them.
+Mask fill_spurious_cycles(const Mask& raster, const Mask& mask);
+
+// The raster, led on along the middle of the (connected) mask where parts of it are not joined or a hole is
+// not surrounded, and with its spurious cycles filled (ERRATA 3). An empty raster gets the deepest pixel of
+// the mask.
+Mask restore_topology(const Mask& raster, const Mask& mask);
+
+} // namespace pantin
