@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pantin/grid.hpp"
@@ -12,19 +13,55 @@
 
 namespace pantin {
 
+// The direction in which the character faces, as in the annotations of SketchParse: E to the right of the
+// picture, W to the left, S towards the viewer, N away.
 inline constexpr std::array<const char*, 8> pose_names = {"E", "NE", "N", "NW", "W", "SW", "S", "SE"};
+
+// The silhouette's last word (DESIGN.md section 2). p(x, y) is the network's foreground probability,
+// 1 − p(background), at working size; lengths are shares of the working crop's longer side, areas shares of
+// the silhouette's area.
+//
+// 1. Fill: outside the detected mask a pixel is added where p ≥ fill_probability: open outlines that the
+//    detector left hollow. Additions thinner than 2·tolerance are rims along the outline and not made, unless
+//    they close a gap between two strokes.
+// 2. Cut: a region of the mask without ink where p < keep_probability is removed, when it is thicker than
+//    2·tolerance and open to the outside (what the detector's closing bridged: the space between two legs),
+//    or when its mean p is below hole_probability (the space between arm and body). Inked pixels stay.
+// 3. One piece: parts that are not connected are joined to the largest by a bridge as wide as 2·tolerance
+// when
+//    they are large and near enough, else dropped. Small holes are filled, jagged pixels of the outline
+//    smoothed by a 3×3 majority that spares whatever is thin.
+struct SilhouetteOptions {
+    double fill_probability = 0.5;
+    double keep_probability = 0.3;
+    double hole_probability = 0.1;
+    double ink_darkness = 0.35; // of an inked pixel, at working size
+    double tolerance = 0.01;    // length
+    double piece_share = 0.01;  // least area of a piece that is joined
+    double bridge_length = 0.06;
+    double hole_share = 0.01; // largest area of a hole that is filled
+    // Labels of the silhouette's pixels: the most probable of the five parts, the first among equals. Where
+    // the five together have less than part_probability: the label of the nearest pixel where they have more.
+    // Pieces of a label smaller than speck_share are given to the labels around them.
+    double part_probability = 0.2;
+    double speck_share = 0.004;
+};
 
 struct SegmentationOptions {
     int threads = 1; // results do not depend on it
-    // Rules of the silhouette are added here, each with its source.
+    // Thesis ch. 5: grey erosion of photographs, so that strokes are as thick and sharp as in the training
+    // data: the darkest value of the 3×3 neighbourhood at the network's resolution.
+    bool grey_erosion = false;
+    SilhouetteOptions silhouette;
 };
 
 struct Segmentation {
-    std::string expert;                                       // the expert that the router chose
-    std::vector<std::pair<std::string, double>> router;       // expert → probability
-    std::array<double, 8> pose{};                             // probability per pose_names
-    std::vector<Grid<float>> probabilities;                   // [label_count], network size (kept for explain)
-    LabelMap labels;                                          // working size; the silhouette is labels ≠ 0
+    std::string expert; // the expert that the router chose
+    std::vector<std::pair<std::string, double>>
+        router;                             // expert → probability, in the order of the weight file
+    std::array<double, 8> pose{};           // probability per pose_names
+    std::vector<Grid<float>> probabilities; // [label_count], the crop at network size (for explain)
+    LabelMap labels;                        // working size; the silhouette is labels ≠ 0
 };
 
 // SketchParse (Sarvadevabhatla et al. 2017): shared stem, router, one expert per category group, pose head.
@@ -35,8 +72,9 @@ public:
     ~Segmenter();
     Segmenter(Segmenter&&) noexcept;
 
-    // drawing: the crop at page resolution; mask: the detected silhouette at working size.
-    Segmentation segment(const RgbImage& drawing, const Mask& mask, const SegmentationOptions& options = {}) const;
+    // drawing: the crop at page resolution; mask: the detected silhouette at working size, the same crop.
+    Segmentation segment(const RgbImage& drawing, const Mask& mask,
+                         const SegmentationOptions& options = {}) const;
 
 private:
     struct Model;

@@ -1,0 +1,85 @@
+// The segmentation network: a two-level network in the manner of SketchParse (Sarvadevabhatla et al. 2017,
+// thesis Fig. 4.8): a stem shared by all drawings, a router that chooses one of several experts, an expert
+// that labels the parts, and a head that estimates the direction in which the character faces. Where it
+// departs from the paper: the stem is four small residual stages (He et al. 2016) instead of a ResNet-101,
+// and the expert is a decoder with skip connections (Ronneberger et al. 2015), so that thin limbs survive.
+//
+// One struct per module; `forward` follows the figure. Widths come from the weight file's metadata, tensor
+// names are the module names. Shapes in comments are for the input of 256×256 and the widths 20, 40, 80, 112.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pantin/network.hpp"
+
+namespace pantin::segmentation {
+
+using network::Runtime;
+using network::Tensor;
+using network::WeightFile;
+
+// relu(norm(conv(x)))
+struct Block {
+    network::Convolution conv;
+    Tensor forward(const Tensor& x, const Runtime& runtime) const { return conv.forward(x, runtime); }
+};
+
+// relu(x + norm(conv_b(relu(norm(conv_a(x))))))
+struct Residual {
+    network::Convolution a, b;
+    Tensor forward(const Tensor& x, const Runtime& runtime) const;
+};
+
+// What the stages of the stem see, from fine to coarse.
+struct Features {
+    std::vector<Tensor> stages; // [20, 128, 128], [40, 64, 64], [80, 32, 32], [112, 16, 16]
+};
+
+struct Stem {
+    std::vector<Block> down;   // each halves the resolution
+    std::vector<Residual> res; // one after each
+    Features forward(const Tensor& ink, const Runtime& runtime) const;
+};
+
+struct Router {
+    network::Linear linear;                                                 // 224 → experts
+    Tensor forward(const Features& features, const Runtime& runtime) const; // probabilities, [experts, 1, 1]
+};
+
+struct PoseHead {
+    Block conv;                                                             // 112 → 64, 8×8
+    network::Linear linear;                                                 // 64 → 8
+    Tensor forward(const Features& features, const Runtime& runtime) const; // probabilities, [8, 1, 1]
+};
+
+struct Expert {
+    Residual context;      // dilation 2: sees the whole drawing
+    std::vector<Block> up; // from coarse to fine, each on the doubled map and the stem's stage
+    network::TransposedConvolution logits;                                  // [6, 256, 256]
+    Tensor forward(const Features& features, const Runtime& runtime) const; // probabilities
+};
+
+struct NetworkResult {
+    Tensor router, pose, parts; // probabilities
+    int expert = 0;             // the most probable one; the first among equals
+};
+
+struct Network {
+    int input = 0; // side of the square input
+    std::vector<std::string> expert_names;
+    Stem stem;
+    std::unique_ptr<Router> router;
+    std::unique_ptr<PoseHead> pose;
+    std::vector<Expert> experts;
+
+    // ink: [1, 1, input, input], 0 paper, 1 ink. expert −1: the router decides.
+    NetworkResult forward(const Tensor& ink, const Runtime& runtime, int expert = -1) const;
+};
+
+// Throws Error(weights) naming the file and the fact.
+Network load_network(const WeightFile& file);
+
+} // namespace pantin::segmentation

@@ -1,0 +1,53 @@
+// The step: the crop through the network, the silhouette, the labels.
+#include "pantin/error.hpp"
+#include "pantin/image.hpp"
+#include "pantin/segmentation.hpp"
+#include "segmentation/letterbox.hpp"
+#include "segmentation/model.hpp"
+#include "segmentation/silhouette.hpp"
+
+namespace pantin {
+
+struct Segmenter::Model {
+    segmentation::Network network;
+};
+
+Segmenter::Segmenter(std::span<const unsigned char> weights, const std::string& source)
+    : model_(
+          std::make_unique<Model>(Model{segmentation::load_network(network::WeightFile(weights, source))})) {}
+Segmenter::~Segmenter() = default;
+Segmenter::Segmenter(Segmenter&&) noexcept = default;
+
+Segmentation Segmenter::segment(const RgbImage& drawing, const Mask& mask,
+                                const SegmentationOptions& options) const {
+    if (drawing.empty() || mask.empty()) throw Error(ErrorKind::internal, "segmentation: the crop is empty");
+    const segmentation::Network& net = model_->network;
+    const network::Runtime runtime(options.threads);
+
+    // 1. The network sees how dark the ink is, in its own square.
+    const Grid<float> ink = ink_darkness(drawing);
+    const segmentation::NetworkResult seen =
+        net.forward(segmentation::to_input(ink, net.input, options.grey_erosion), runtime);
+
+    Segmentation result;
+    result.expert = net.expert_names[static_cast<std::size_t>(seen.expert)];
+    for (std::size_t e = 0; e < net.expert_names.size(); ++e)
+        result.router.emplace_back(net.expert_names[e], seen.router(0, static_cast<int>(e), 0, 0));
+    for (std::size_t p = 0; p < result.pose.size(); ++p)
+        result.pose[p] = seen.pose(0, static_cast<int>(p), 0, 0);
+    result.probabilities =
+        segmentation::from_output(seen.parts, segmentation::letterbox(ink.width(), ink.height(), net.input));
+
+    // 2. At working size: silhouette, then a part for each of its pixels.
+    std::vector<Grid<float>> probabilities;
+    for (const Grid<float>& plane : result.probabilities)
+        probabilities.push_back(resize(plane, mask.width(), mask.height()));
+    Grid<float> foreground = probabilities[0];
+    for (float& p : foreground) p = 1 - p;
+    const Mask silhouette = segmentation::decide_silhouette(
+        mask, foreground, resize(ink, mask.width(), mask.height()), options.silhouette);
+    result.labels = segmentation::label_parts(silhouette, probabilities, options.silhouette);
+    return result;
+}
+
+} // namespace pantin

@@ -1,0 +1,168 @@
+// From the detector's mask and the network's foreground to the silhouette. Ours: neither the thesis nor
+// SketchParse combines the two.
+#include "segmentation/silhouette.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pantin/image.hpp"
+
+namespace pantin::segmentation {
+namespace {
+
+template <class Condition> Mask where(const Mask& like, const Condition& condition) {
+    Mask out(like.width(), like.height());
+    for (int y = 0; y < like.height(); ++y)
+        for (int x = 0; x < like.width(); ++x) out(x, y) = condition(x, y) ? 1 : 0;
+    return out;
+}
+
+Mask unite(const Mask& a, const Mask& b) {
+    return where(a, [&](int x, int y) { return a(x, y) || b(x, y); });
+}
+
+long area(const Mask& mask) { return std::count(mask.begin(), mask.end(), 1); }
+
+// --- fill ------------------------------------------------------------------------------------------------
+
+Mask fill_open_outlines(const Mask& mask, const Grid<float>& foreground, double probability, double radius) {
+    const Mask likely = where(mask, [&](int x, int y) { return foreground(x, y) >= probability; });
+    const Mask missing = where(mask, [&](int x, int y) { return likely(x, y) && !mask(x, y); });
+    const Mask filled = unite(mask, open_disc(missing, radius));
+    const Mask closed = close_disc(filled, radius);
+    return where(mask, [&](int x, int y) { return filled(x, y) || (closed(x, y) && likely(x, y)); });
+}
+
+// --- cut -------------------------------------------------------------------------------------------------
+
+// Whether a pixel of the component has a 4-neighbour outside the mask.
+bool is_open(const Components& doubtful, const Component& component, const Mask& mask) {
+    const Box& box = component.box;
+    for (int y = box.y; y < box.y + box.height; ++y)
+        for (int x = box.x; x < box.x + box.width; ++x) {
+            if (doubtful.ids(x, y) != component.id) continue;
+            if (!mask.value_or(x - 1, y, 0) || !mask.value_or(x + 1, y, 0) || !mask.value_or(x, y - 1, 0) ||
+                !mask.value_or(x, y + 1, 0))
+                return true;
+        }
+    return false;
+}
+
+double mean(const Components& components, const Component& component, const Grid<float>& values) {
+    double sum = 0;
+    const Box& box = component.box;
+    for (int y = box.y; y < box.y + box.height; ++y)
+        for (int x = box.x; x < box.x + box.width; ++x)
+            if (components.ids(x, y) == component.id) sum += values(x, y);
+    return sum / component.area;
+}
+
+Mask cut_bridged_gaps(const Mask& mask, const Grid<float>& foreground, const Mask& inked,
+                      const SilhouetteOptions& options, double radius) {
+    const Mask doubtful = where(mask, [&](int x, int y) {
+        return mask(x, y) && !inked(x, y) && foreground(x, y) < options.keep_probability;
+    });
+    // What survives the opening decides, but the whole region goes.
+    const Components regions = connected_components(doubtful);
+    const Mask thick = open_disc(doubtful, radius);
+    std::vector<char> cut(regions.list.size() + 1, 0);
+    for (std::size_t i = 0; i < thick.size(); ++i)
+        if (thick.data()[i]) cut[static_cast<std::size_t>(regions.ids.data()[i])] = 1;
+    for (const Component& region : regions.list) {
+        char& decision = cut[static_cast<std::size_t>(region.id)];
+        if (decision && !is_open(regions, region, mask) &&
+            mean(regions, region, foreground) >= options.hole_probability)
+            decision = 0;
+    }
+    return where(
+        mask, [&](int x, int y) { return mask(x, y) && !cut[static_cast<std::size_t>(regions.ids(x, y))]; });
+}
+
+// --- one piece -------------------------------------------------------------------------------------------
+
+void paint_disc(Mask& mask, double cx, double cy, double radius) {
+    const int reach = static_cast<int>(std::ceil(radius));
+    const int x0 = static_cast<int>(std::rint(cx)), y0 = static_cast<int>(std::rint(cy));
+    for (int y = y0 - reach; y <= y0 + reach; ++y)
+        for (int x = x0 - reach; x <= x0 + reach; ++x)
+            if (mask.contains(x, y) && (x - cx) * (x - cx) + (y - cy) * (y - cy) <= radius * radius)
+                mask(x, y) = 1;
+}
+
+struct Gap {
+    long squared = -1; // length, −1: none
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+// The shortest way from a component to the mask: the first pixel in raster order among equals.
+Gap shortest_gap(const Components& pieces, const Component& piece, const Grid<int>& nearest) {
+    Gap best;
+    const Box& box = piece.box;
+    for (int y = box.y; y < box.y + box.height; ++y)
+        for (int x = box.x; x < box.x + box.width; ++x) {
+            if (pieces.ids(x, y) != piece.id) continue;
+            const int seed = nearest(x, y), sx = seed % nearest.width(), sy = seed / nearest.width();
+            const long squared = static_cast<long>(x - sx) * (x - sx) + static_cast<long>(y - sy) * (y - sy);
+            if (best.squared < 0 || squared < best.squared) best = {squared, x, y, sx, sy};
+        }
+    return best;
+}
+
+// Grows the largest component by the nearest piece that is large and near enough, until there is none.
+Mask join_pieces(const Mask& mask, const SilhouetteOptions& options, double longer_side, double radius) {
+    Mask whole = largest_component(mask);
+    const double least = options.piece_share * static_cast<double>(area(mask));
+    const double longest = options.bridge_length * longer_side;
+    Mask rest = where(mask, [&](int x, int y) { return mask(x, y) && !whole(x, y); });
+    while (true) {
+        const Components pieces = connected_components(rest);
+        const Grid<int> nearest = nearest_seed(whole);
+        Gap best;
+        int chosen = 0;
+        for (const Component& piece : pieces.list) {
+            if (piece.area < least) continue;
+            const Gap gap = shortest_gap(pieces, piece, nearest);
+            if (static_cast<double>(gap.squared) > longest * longest) continue;
+            if (chosen == 0 || gap.squared < best.squared) best = gap, chosen = piece.id;
+        }
+        if (chosen == 0) return whole;
+        const int steps = 2 * static_cast<int>(std::sqrt(static_cast<double>(best.squared))) + 2;
+        for (int i = 0; i <= steps; ++i) {
+            const double t = static_cast<double>(i) / steps;
+            paint_disc(whole, best.x0 + t * (best.x1 - best.x0), best.y0 + t * (best.y1 - best.y0), radius);
+        }
+        for (std::size_t i = 0; i < rest.size(); ++i)
+            if (pieces.ids.data()[i] == chosen) whole.data()[i] = 1;
+        rest = where(mask, [&](int x, int y) { return mask(x, y) && !whole(x, y); });
+    }
+}
+
+// --- outline ---------------------------------------------------------------------------------------------
+
+// 3×3 majority; a pixel that an opening by a disc of 1.5 would lose belongs to something thin and stays.
+Mask smooth(const Mask& mask) {
+    const Mask bulk = open_disc(mask, 1.5);
+    return where(mask, [&](int x, int y) {
+        if (mask(x, y) && !bulk(x, y)) return true;
+        int count = 0;
+        for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx) count += mask.value_or(x + dx, y + dy, 0);
+        return count >= 5;
+    });
+}
+
+} // namespace
+
+Mask decide_silhouette(const Mask& detected, const Grid<float>& foreground, const Grid<float>& ink,
+                       const SilhouetteOptions& options) {
+    const double longer_side = std::max(detected.width(), detected.height());
+    const double radius = std::max(1.0, options.tolerance * longer_side);
+    const Mask inked = where(detected, [&](int x, int y) { return ink(x, y) >= options.ink_darkness; });
+    Mask mask = cut_bridged_gaps(detected, foreground, inked, options, radius);
+    mask = fill_open_outlines(mask, foreground, options.fill_probability, radius);
+    mask = join_pieces(mask, options, longer_side, radius);
+    mask = fill_holes(mask, static_cast<long>(options.hole_share * static_cast<double>(area(mask))));
+    return largest_component(smooth(mask));
+}
+
+} // namespace pantin::segmentation
