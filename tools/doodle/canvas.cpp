@@ -69,7 +69,9 @@ Hand random_hand(Random& r, const DoodleOptions& options) {
     if (options.pen > 0.0) hand.pen = options.pen;
     hand.pen = std::max(hand.pen, 1.1);
     const double skill = r.uniform(); // 0 a practised hand, 1 a small child or a mouse
-    hand.bulge = r.uniform(0.005, 0.012 + 0.035 * skill);
+    hand.bulge = r.uniform(0.005, 0.012 + 0.06 * skill * skill);
+    hand.misplace = size * r.uniform(0.0, 0.002 + 0.012 * skill);
+    hand.closure = r.uniform(0.0, 0.01 + 0.06 * skill);
     hand.wobble = size * r.uniform(0.0, 0.001 + 0.004 * skill);
     hand.tremor = r.chance(0.5) ? 0.0 : size * r.uniform(0.0, 0.0012 + 0.0015 * skill);
     hand.corners = r.chance(0.35) ? size * r.uniform(0.002, 0.014) : 0.0;
@@ -146,11 +148,17 @@ private:
     // Outlines as the hand makes them: swollen here, shrunken there.
     void shape_outlines() {
         parts_ = figure_.parts;
+        std::vector<Point2d> shift;
         for (Part& part : parts_) {
+            const double dx = hand_.misplace * random_.normal(), dy = hand_.misplace * random_.normal();
+            shift.push_back(part.owner < 0
+                                ? Point2d{dx, dy}
+                                : shift[static_cast<std::size_t>(part.owner)] + Point2d{0.3 * dx, 0.3 * dy});
+            for (Point2d& p : part.outline.points) p = p + shift.back();
             const double total = path_length(part.outline.points, part.outline.closed);
             part.outline = resample(part.outline, 1.5);
             if (part.kind == PartKind::mark) continue;
-            const Waver bulge(random_, 7, 0.7);
+            const Waver bulge(random_, random_.integer(3, 7), 0.7);
             const double size = std::min(total / 4.0, 80.0), amplitude = hand_.bulge * size;
             Path& points = part.outline.points;
             Path moved = points;
@@ -227,14 +235,10 @@ private:
         std::vector<char> shown(n);
         for (std::size_t k = 0; k < n; ++k)
             shown[k] = !part.outline.undrawn[k] && visible(i, part.outline.points[k]);
-        Grid<std::uint8_t> drawn(width_, height_);
+        const auto label =
+            static_cast<std::uint8_t>(part.kind == PartKind::mark ? Label::background : part.label);
         for (const Path& run : runs(part.outline, shown))
-            ink_line(layer_, run, hand_, line_colour(part), part.ink_width, random_, drawn);
-        if (part.kind == PartKind::mark) return;
-        for (int y = 0; y < height_; ++y)
-            for (int x = 0; x < width_; ++x)
-                if (drawn(x, y) && layer_.labels(x, y) == 0)
-                    layer_.labels(x, y) = static_cast<std::uint8_t>(part.label);
+            ink_line(layer_, run, hand_, line_colour(part), part.ink_width, random_, label);
     }
 
     // The drawn stretches of an outline; a whole one starts anywhere and may run over its start.
@@ -247,7 +251,9 @@ private:
         if (outline.closed && whole) {
             start = static_cast<std::size_t>(random_.integer(0, static_cast<int>(n) - 1));
             Path loop;
-            const long extra = 1 + static_cast<long>(random_.uniform(-1.0, 1.0) * hand_.overshoot);
+            const double error =
+                random_.uniform(-0.7, 1.0) * (hand_.overshoot + hand_.closure * static_cast<double>(n));
+            const long extra = 1 + static_cast<long>(error);
             const std::size_t count =
                 static_cast<std::size_t>(std::max<long>(2, static_cast<long>(n) + extra));
             for (std::size_t k = 0; k < count; ++k) loop.push_back(points[(start + k) % n]);

@@ -22,6 +22,8 @@ struct Hand {
     double grain = 0.0;     // 0 … 1: how much the paper's tooth shows through
     double pressure = 0.1;  // relative variation of the width
     double taper = 0.0;     // how thin the ends get, 0 … 1
+    double misplace = 1.0;  // how far parts are from where they belong
+    double closure = 0.02;  // relative overlap or gap where a closed outline ends
     double bulge = 0.02;    // slow deviation of outlines, relative to a part's size
     double wobble = 0.6;    // slow deviation of single strokes
     double tremor = 0.2;    // fast deviation
@@ -49,9 +51,10 @@ Layer draw_figure(const Figure& figure, const Hand& hand, Random& random, int wi
 void complete_silhouette(LabelMap& labels, double pen);
 Box label_box(const LabelMap& labels);
 
-// Ink strokes (stroke.cpp). Draws the open line with the hand's habits; sets `drawn` where ink lies.
+// Ink strokes (stroke.cpp). Draws the open line with the hand's habits; gives `label` to pixels of ink that
+// have none.
 void ink_line(Layer& layer, const Path& line, const Hand& hand, const Colour& colour, double width,
-              Random& random, Grid<std::uint8_t>& drawn);
+              Random& random, std::uint8_t label);
 void fill_ink(Layer& layer, const Path& outline, const Hand& hand, const Colour& colour);
 // Colours the pixels of `where` in (part of `area`).
 void colour_in(Layer& layer, const Grid<std::uint8_t>& where, const Box& area, const Hand& hand,

@@ -70,6 +70,7 @@ void add_nose(Builder& b, int head, const Frame& f) {
 } // namespace
 
 void add_eye(Builder& b, int head, Point2d c, double size) {
+    if (b.random.chance(0.55 - 0.6 * b.manner.details)) return;
     switch (b.random.integer(0, 4)) {
     case 0: // a ring with a pupil
         b.mark(head, ellipse(c, size, 1.2 * size), true);
@@ -89,7 +90,7 @@ void add_eye(Builder& b, int head, Point2d c, double size) {
 
 void add_frontal_face(Builder& b, int head, Frame f) {
     Random& random = b.random;
-    if (random.chance(0.12)) return; // no face at all
+    if (random.chance(0.45 - 0.45 * b.manner.details)) return; // no face at all
     const double dx = random.uniform(0.28, 0.42), y = random.uniform(-0.3, -0.05);
     const double size = random.uniform(0.09, 0.18);
     const int kind = random.integer(0, 6);
@@ -189,13 +190,13 @@ void add_hat(Builder& b, int head, Frame f) {
         b.merge(line, hat);
         break;
     }
-    case 1: // party or witch's hat
-        hat = b.region(
-            Label::head,
-            {f.at(-w, y), f.at(random.uniform(-0.3, 0.3), y - random.uniform(0.9, 1.6)), f.at(w, y)}, 3);
+    case 1: { // party or witch's hat
+        const double lean = random.uniform(-0.3, 0.3), height = random.uniform(0.9, 1.6);
+        hat = b.region(Label::head, {f.at(-w, y), f.at(lean, y - height), f.at(w, y)}, 3);
         if (random.chance(0.5))
             b.region(Label::head, ellipse(f.at(0, y), (w + 0.4) * f.rx, 0.16 * f.ry, f.angle), 4);
         break;
+    }
     case 2: { // cap with a peak
         hat = b.region(Label::head, in_frame(f, arc({0, y + 0.1}, w + 0.15, 0.75, pi, 2 * pi)), 3);
         const double side = random.chance(0.5) ? 1 : -1;
@@ -233,8 +234,8 @@ void add_pattern(Builder& b, int region, Frame f, const std::string& wanted) {
         for (int i = 0; i < count; ++i) {
             const double u = random.uniform(-0.8, 0.8), v = random.uniform(-0.8, 0.8);
             const double r = patches ? random.uniform(0.2, 0.4) : random.uniform(0.06, 0.14);
-            const Path spot =
-                ellipse(f.at(u, v), r * f.ry * random.uniform(0.8, 1.6), r * f.ry, random.uniform(0.0, 3.0));
+            const double stretch = random.uniform(0.8, 1.6), turn = random.uniform(0.0, 3.0);
+            const Path spot = ellipse(f.at(u, v), stretch * r * f.ry, r * f.ry, turn);
             if (random.chance(patches ? 0.3 : 0.4))
                 b.spot(region, spot);
             else

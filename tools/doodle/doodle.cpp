@@ -9,10 +9,20 @@
 namespace pantin::doodle {
 namespace {
 
+const std::vector<std::string>& common_species(const std::string& type) {
+    static const std::vector<std::string> people = {"person", "person", "stick person", "teddy"},
+                                          animals = {"cat", "dog", "cow", "horse", "sheep", "pig"},
+                                          birds = {"bird", "gull",      "standing bird",
+                                                   "duck", "butterfly", "bat"};
+    return type == "humanoid" ? people : type == "quadruped" ? animals : birds;
+}
+
 Figure build_figure(Random& random, const std::string& type, const std::string& wanted) {
     const std::vector<std::string> species = species_of(type);
     if (species.empty()) return build_decoy(random, type);
-    const std::string drawn = random.pick(species); // drawn from the stream in any case
+    // Half of the drawings are of what people draw most.
+    const std::string common = random.pick(common_species(type)), any = random.pick(species);
+    const std::string& drawn = random.chance(0.5) ? common : any;
     const std::string& name = wanted.empty() ? drawn : wanted;
     if (std::find(species.begin(), species.end(), name) == species.end())
         throw Error(ErrorKind::usage, "no species '" + name + "' of type " + type);

@@ -6,9 +6,9 @@ Manner random_manner(Random& random) {
     Manner manner;
     manner.flow = random.pick(std::vector<double>{0.0, 0.1, 0.5, 0.9, 1.0});
     manner.see_through = random.chance(0.12) ? random.uniform(0.2, 0.8) : 0.0;
-    manner.open_feet = random.chance(0.2) ? random.uniform(0.3, 1.0) : 0.0;
+    manner.open_feet = random.chance(0.3) ? random.uniform(0.3, 1.0) : 0.0;
     manner.stick_limbs = random.chance(0.5) ? 0.0 : random.uniform(0.2, 1.0);
-    manner.details = random.chance(0.25) ? 0.1 : random.uniform(0.3, 0.9);
+    manner.details = random.chance(0.4) ? 0.08 : random.uniform(0.3, 0.9);
     manner.symmetry = random.uniform(0.3, 1.0);
     return manner;
 }

@@ -266,8 +266,10 @@ void build_standing_bird(Builder& b, const std::string& species) {
                  x = r.uniform(0.2, 0.5) * s.rx;
     Outline wing{{}, {}, true};
     const double dip = r.uniform(-0.1, 0.3) * s.ry;
+    const Edge edge = random_edge(r);
+    const int feathers = r.integer(3, 5);
     wing.points = r.chance(0.4) ? wing_outline(r, {x, -0.6 * h}, {x - 0.2 * l, 0.9 * h}, {x - l, dip}, 0.1,
-                                               random_edge(r), r.integer(3, 5))
+                                               edge, feathers)
                                 : spline({{x, -0.3 * h},
                                           {x - 0.4 * l, -0.8 * h},
                                           {x - l, dip},
@@ -315,7 +317,8 @@ void build_spread_bird(Builder& b) {
     const double turn = r.chance(0.5) ? 0 : r.uniform(-1.2, 1.2);
     add_beak(b, head, c, h, h * r.uniform(0.5, 1.1), -0.5 * pi + turn, "bird");
     if (r.chance(0.4)) add_eye(b, head, c, 0.2 * h);
-    add_bird_tail(b, {0, 0.92 * l}, 0.5 * pi + r.uniform(-0.15, 0.15), 0.45 * w, r.uniform(10, 20), trunk);
+    const double sway = r.uniform(-0.15, 0.15), tail = r.uniform(10, 20);
+    add_bird_tail(b, {0, 0.92 * l}, 0.5 * pi + sway, 0.45 * w, tail, trunk);
     const Spread spread{r.uniform(28, 58),    r.uniform(9, 20), r.uniform(-0.4, 0.6),
                         r.uniform(0.02, 0.3), random_edge(r),   r.integer(4, 9)};
     const double depth = r.chance(0.6) ? -0.5 : 0.5;
@@ -385,10 +388,10 @@ void build_butterfly(Builder& b) {
                            root + (0.45 * size) * d - (width * 0.6 * size) * n},
                           true, 6);
         };
-        const int upper =
-            b.region(Label::wing, lobe(a1 + r.uniform(-0.05, 0.05), b.jitter(l1, 0.05), w1, -0.25 * l), -0.5);
-        const int lower =
-            b.region(Label::wing, lobe(-a1 + r.uniform(-0.1, 0.1), b.jitter(l2, 0.05), w2, 0.2 * l), -0.7);
+        const double up = a1 + r.uniform(-0.05, 0.05), down = -a1 + r.uniform(-0.1, 0.1);
+        const double upper_length = b.jitter(l1, 0.05), lower_length = b.jitter(l2, 0.05);
+        const int upper = b.region(Label::wing, lobe(up, upper_length, w1, -0.25 * l), -0.5);
+        const int lower = b.region(Label::wing, lobe(down, lower_length, w2, 0.2 * l), -0.7);
         if (one_line) b.merge(upper, lower);
         if (r.chance(0.4)) {
             b.mark(upper,
@@ -491,10 +494,10 @@ void give_wings(Builder& b, bool from_the_side) {
         for (int i = 0, n = r.integer(1, 2); i < n; ++i) {
             const Point2d a{x + 6 - 7 * i, y}, rear{x - 8 - 7 * i, y},
                 tip{x - r.uniform(0.0, 0.6) * l, y - l};
-            b.region(Label::wing,
-                     wing_outline(r, a, rear, tip, r.uniform(0.1, 0.3),
-                                  r.chance(0.7) ? Edge::scalloped : Edge::smooth, r.integer(3, 4)),
-                     i == 0 ? 1.5 : -1.5);
+            const double bulge = r.uniform(0.1, 0.3);
+            const Edge edge = r.chance(0.7) ? Edge::scalloped : Edge::smooth;
+            const int feathers = r.integer(3, 4);
+            b.region(Label::wing, wing_outline(r, a, rear, tip, bulge, edge, feathers), i == 0 ? 1.5 : -1.5);
         }
         return;
     }

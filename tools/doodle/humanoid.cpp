@@ -173,14 +173,17 @@ int add_trunk(Builder& b, Person& p, int head) {
         break;
     }
     const int trunk = b.region(Label::body, outline, 0);
+    if (p.neck < -0.5) b.attach(head, trunk);
     if (p.neck > 0.5) {
         const double neck_radius = std::min(r.uniform(0.12, 0.3) * p.head_rx, 0.7 * w);
         if (r.chance(0.3) || neck_radius < 1.2) {
             b.stick(Label::body, {{0, p.head_ry - 1}, {0, top + 1.5}}, -0.5);
         } else {
             const RibbonEnds ends{Cap::flat, Cap::flat, true, true};
-            b.merge(b.limb(Label::body, {{0, p.head_ry - 1.5}, {0, top + 2}}, {neck_radius}, -0.5, ends),
-                    trunk);
+            const Path line{{0, p.head_ry - 1.5}, {0, top + 2}};
+            const int neck = b.limb(Label::body, line, {neck_radius}, -0.5, ends);
+            b.merge(neck, trunk);
+            if (r.chance(0.3)) b.merge(neck, head);
         }
     }
     return trunk;
@@ -250,9 +253,10 @@ void add_arms(Builder& b, const Person& p, const Pose& pose, int trunk) {
         } else {
             const double a = p.arm_radius;
             const bool seam = !r.chance(0.5);
+            const Cap wrist = r.chance(0.7) ? Cap::round : Cap::flat;
             arm = b.limb(Label::limb, {shoulder, elbow, hand},
                          {a, a * r.uniform(0.8, 1.1), a * r.uniform(0.6, 1.0)}, depth,
-                         {Cap::round, r.chance(0.7) ? Cap::round : Cap::flat, seam, false});
+                         {Cap::round, wrist, seam, false});
             b.attach(arm, trunk);
         }
         add_extremity(b, arm, hand, lower, (p.stick_arms ? 3.2 : 1.4 * p.arm_radius) * r.uniform(0.8, 1.3),
@@ -298,9 +302,10 @@ void add_legs(Builder& b, const Person& p, const Pose& pose, int trunk, bool sam
         } else {
             const double a = p.leg_radius;
             const bool open = r.chance(b.manner.open_feet);
+            const Cap sole = r.chance(0.4) ? Cap::round : Cap::flat;
             leg = b.limb(Label::limb, {hip, knee, ankle},
                          {a, a * r.uniform(0.85, 1.0), a * r.uniform(0.65, 1.0)}, depth,
-                         {Cap::flat, r.chance(0.4) ? Cap::round : Cap::flat, true, open});
+                         {Cap::flat, sole, true, open});
             b.attach(leg, trunk);
         }
         add_foot(b, leg, ankle, same_way ? 1 : side, p, depth);
@@ -368,9 +373,9 @@ void build_toy(Builder& b, bool tail) {
                true);
     if (!tail) return;
     const double way = r.chance(0.5) ? 0 : pi;
-    const Path line =
-        curl({(way == 0 ? 0.4 : -0.4) * p.trunk_width, p.head_ry + p.neck + p.trunk_length - 4}, way,
-             r.uniform(30, 60), (way == 0 ? -1 : 1) * r.uniform(0.3, 0.8), r.uniform(0.0, 1.5));
+    const Point2d root{(way == 0 ? 0.4 : -0.4) * p.trunk_width, p.head_ry + p.neck + p.trunk_length - 4};
+    const double l = r.uniform(30, 60), turns = (way == 0 ? -1 : 1) * r.uniform(0.3, 0.8);
+    const Path line = curl(root, way, l, turns, r.uniform(0.0, 1.5));
     if (r.chance(0.5))
         b.stick(Label::tail, line, -2);
     else

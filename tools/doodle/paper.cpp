@@ -81,7 +81,8 @@ struct Light {
 
 Light random_light(Random& r) {
     Light light;
-    light.gradient = r.uniform(0.0, 0.16) * direction(r.uniform(0.0, 2 * pi));
+    const double slope = r.uniform(0.0, 0.16);
+    light.gradient = slope * direction(r.uniform(0.0, 2 * pi));
     light.vignette = r.chance(0.5) ? r.uniform(0.0, 0.25) : 0.0;
     light.shadow = r.chance(0.4);
     light.normal = direction(r.uniform(0.0, 2 * pi));

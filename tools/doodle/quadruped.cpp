@@ -298,8 +298,9 @@ void add_muzzle(Builder& b, const Animal& a, int head, const Frame& f, const std
     const double l = (species == "pig" ? 0.5 : r.uniform(0.7, 1.1)) * f.rx, w = f.ry * r.uniform(0.38, 0.55);
     const Point2d root = f.at(0.4, 0.3),
                   tip = f.at(0.95, 0.35) + l * direction(f.angle + r.uniform(-0.05, 0.2));
+    const Cap end = r.chance(0.6) ? Cap::round : Cap::flat;
     const int muzzle = b.limb(Label::head, {root, tip}, {1.15 * w, w * r.uniform(0.7, 1.0)}, 1,
-                              {Cap::flat, r.chance(0.6) ? Cap::round : Cap::flat, true, false});
+                              {Cap::flat, end, true, false});
     b.merge(muzzle, head);
     const Point2d nose = tip + Point2d{0.5 * w, -0.5 * w};
     if (species == "pig") {
@@ -504,8 +505,8 @@ void build_facing(Builder& b, Animal a, const std::string& species) {
                                  : (front ? 0.25 + 0.5 * (i % 2) : -0.75 + 0.4 * (i % 2)) * w;
         const double top = sitting ? (front ? 0.1 : 0.75) * h : 0.55 * h,
                      foot = h + (sitting ? 0.08 * leg : leg * (front ? 1.0 : 0.85));
-        const int limb = b.limb(Label::limb, {{x, top}, {x + r.uniform(-1.0, 1.0), foot}},
-                                {radius, radius * r.uniform(0.8, 1.2)}, front ? 0.6 : -0.5,
+        const Path line{{x, top}, {x + r.uniform(-1.0, 1.0), foot}};
+        const int limb = b.limb(Label::limb, line, {radius, radius * r.uniform(0.8, 1.2)}, front ? 0.6 : -0.5,
                                 {Cap::round, Cap::round, true, false});
         b.attach(limb, trunk);
     }

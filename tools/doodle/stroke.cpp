@@ -62,7 +62,7 @@ Path by_hand(const Path& line, const Hand& hand, Random& random) {
 }
 
 void lay_ink(Layer& layer, const Path& path, const Hand& hand, const Colour& colour, double width,
-             Random& random, Grid<std::uint8_t>& drawn) {
+             Random& random, std::uint8_t label) {
     const Waver pressure(random, 4);
     std::vector<double> radius;
     for (std::size_t i = 0; i < path.size(); ++i) {
@@ -78,14 +78,14 @@ void lay_ink(Layer& layer, const Path& path, const Hand& hand, const Colour& col
             if (c <= 0.0f) continue;
             const int px = cover.box.x + x, py = cover.box.y + y;
             blend(layer.ink(px, py), colour, c * hand.opacity * tooth(px, py, hand.grain));
-            if (c > 0.5f) drawn(px, py) = 1;
+            if (c > 0.5f && layer.labels(px, py) == 0) layer.labels(px, py) = label;
         }
 }
 
 } // namespace
 
 void ink_line(Layer& layer, const Path& line, const Hand& hand, const Colour& colour, double width,
-              Random& random, Grid<std::uint8_t>& drawn) {
+              Random& random, std::uint8_t label) {
     if (line.size() < 2) return;
     const double total = path_length(line);
     std::vector<Path> pieces = {resample(line, 1.5)};
@@ -98,11 +98,11 @@ void ink_line(Layer& layer, const Path& line, const Hand& hand, const Colour& co
     }
     for (const Path& piece : pieces) {
         if (piece.size() < 2) continue;
-        lay_ink(layer, by_hand(piece, hand, random), hand, colour, width, random, drawn);
+        lay_ink(layer, by_hand(piece, hand, random), hand, colour, width, random, label);
         if (!random.chance(hand.again)) continue;
         Hand loose = hand;
         loose.wobble *= 2.0;
-        lay_ink(layer, by_hand(piece, loose, random), loose, colour, width, random, drawn);
+        lay_ink(layer, by_hand(piece, loose, random), loose, colour, width, random, label);
     }
 }
 
