@@ -53,7 +53,7 @@ void skeleton_stages(const std::vector<Figure>& figures, Report& report);
 // Figures' ggd values and bases, ggd_random.json.
 void identification_stages(const std::filesystem::path& reference, const std::vector<Figure>& figures,
                            Report& report);
-// osb_random.json; meshes, end-effectors' order, costs and pairs, weights.
+// Meshes, weights.
 void rigging_stages(const std::filesystem::path& reference, const std::vector<Figure>& figures,
                     Report& report);
 
