@@ -79,6 +79,12 @@ Hand random_hand(Random& r, const DoodleOptions& options) {
     hand.gap = options.gaps * (r.chance(0.4) ? 0.0 : r.uniform(0.05, 0.45));
     hand.again = r.chance(0.65) ? 0.0 : r.uniform(0.05, 0.6);
     for (int i = 0; i < 8; ++i) hand.paints.push_back(random_paint(r));
+    // People know the colour of skin: often the head has it, and the hands.
+    static const std::vector<Colour> skins = {{250, 215, 185}, {225, 175, 135}, {165, 115, 80}};
+    if (r.chance(0.4)) hand.paints[static_cast<std::size_t>(Label::head)] = r.pick(skins);
+    if (r.chance(0.5))
+        hand.paints[static_cast<std::size_t>(Label::limb)] =
+            hand.paints[static_cast<std::size_t>(Label::head)];
     hand.coloured_lines = r.chance(options.colour * 0.3);
     if (r.chance(options.colour)) {
         hand.filling =
@@ -210,17 +216,21 @@ private:
         return hand_.paints[static_cast<std::size_t>(part.paint) % hand_.paints.size()];
     }
 
+    // One crayon after the other, wherever its parts are on top.
     void colour_parts() {
-        const bool whole = random_.chance(0.7); // or only some parts
-        for (std::size_t i : order_) {
-            if (parts_[i].kind != PartKind::region || !(whole || random_.chance(0.5))) continue;
+        const bool whole = random_.chance(0.7); // or only some crayons
+        const int paints = static_cast<int>(hand_.paints.size());
+        for (int paint = 0; paint < paints; ++paint) {
+            if (!(whole || random_.chance(0.5))) continue;
             Grid<std::uint8_t> where(width_, height_);
-            const Box& box = masks_[i].box;
-            for (int y = 0; y < box.height; ++y)
-                for (int x = 0; x < box.width; ++x)
-                    where(box.x + x, box.y + y) = top_(box.x + x, box.y + y) == static_cast<int>(i);
-            colour_in(layer_, where, box, hand_,
-                      hand_.paints[static_cast<std::size_t>(parts_[i].paint) % hand_.paints.size()], random_);
+            for (int y = 0; y < height_; ++y)
+                for (int x = 0; x < width_; ++x) {
+                    const int top = top_(x, y);
+                    where(x, y) = top >= 0 && parts_[static_cast<std::size_t>(top)].paint % paints == paint;
+                }
+            const Box area = label_box(where);
+            if (area.width > 0)
+                colour_in(layer_, where, area, hand_, hand_.paints[static_cast<std::size_t>(paint)], random_);
         }
     }
 

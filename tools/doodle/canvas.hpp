@@ -63,7 +63,13 @@ void colour_in(Layer& layer, const Grid<std::uint8_t>& where, const Box& area, c
 // Value noise in [0, 1) that depends on the pixel and the seed only.
 double pixel_noise(int x, int y, std::uint64_t seed);
 
+enum class Look {
+    screen, // white, as a drawing program leaves it
+    paper,  // tinted, perhaps ruled
+    photo,  // paper under a camera
+};
+Look random_look(Random& random, const DoodleOptions& options);
 // Multiplies the ink onto a paper (paper.cpp).
-RgbImage on_paper(const Grid<Colour>& ink, Random& random, bool photo);
+RgbImage on_paper(const Grid<Colour>& ink, Random& random, Look look);
 
 } // namespace pantin::doodle

@@ -41,8 +41,12 @@ struct Drawn {
     Character character;
 };
 
-Drawn draw_alone(const std::string& type, Random& random, const Hand& hand, const DoodleOptions& options) {
-    Figure figure = build_figure(random, type, options.species);
+// `what` is a type or type:species.
+Drawn draw_alone(const std::string& what, Random& random, const Hand& hand, const DoodleOptions& options) {
+    const std::size_t colon = what.find(':');
+    const std::string type = what.substr(0, colon);
+    const std::string species = colon == std::string::npos ? options.species : what.substr(colon + 1);
+    Figure figure = build_figure(random, type, species);
     const int margin = std::max(4, static_cast<int>(1.5 * hand.pen + hand.overshoot));
     const Box room{margin, margin, options.width - 2 * margin, options.height - 2 * margin};
     Drawn drawn;
@@ -76,8 +80,8 @@ Doodle draw_character(const std::string& type, std::uint64_t seed, const DoodleO
     Drawn drawn = draw_alone(type, figure, hand, options);
     Doodle doodle;
     static_cast<Character&>(doodle) = drawn.character;
-    const bool photo = paper.chance(options.photo);
-    doodle.picture = on_paper(drawn.layer.ink, paper, photo);
+    const Look look = random_look(paper, options);
+    doodle.picture = on_paper(drawn.layer.ink, paper, look);
     doodle.labels = std::move(drawn.layer.labels);
     return doodle;
 }
@@ -92,7 +96,7 @@ Page draw_page(const std::vector<std::string>& types, std::uint64_t seed, const 
         const int rows = (count + c - 1) / c;
         const double ratio =
             (static_cast<double>(options.width) / c) / (static_cast<double>(options.height) / rows);
-        const double badness = std::max(ratio, 1.0 / ratio) + 0.15 * (c * rows - count);
+        const double badness = std::max(ratio, 1.0 / ratio) + 0.4 * (c * rows - count);
         if (badness < best) best = badness, columns = c;
     }
     const int rows = (count + columns - 1) / columns;
@@ -107,8 +111,9 @@ Page draw_page(const std::vector<std::string>& types, std::uint64_t seed, const 
     for (std::size_t i = 0; i < types.size(); ++i) {
         Random figure = Random::stream(seed, 16 + i);
         Drawn drawn = draw_alone(types[i], figure, hand, cell);
-        const int left = static_cast<int>(i) % columns * cell.width,
-                  top = static_cast<int>(i) / columns * cell.height;
+        const int row = static_cast<int>(i) / columns, in_row = std::min(columns, count - row * columns);
+        const int indent = (columns - in_row) * cell.width / 2; // the last row stands in the middle
+        const int left = indent + static_cast<int>(i) % columns * cell.width, top = row * cell.height;
         for (int y = 0; y < cell.height && top + y < options.height; ++y)
             for (int x = 0; x < cell.width && left + x < options.width; ++x) {
                 ink(left + x, top + y) = drawn.layer.ink(x, y);
@@ -119,8 +124,8 @@ Page draw_page(const std::vector<std::string>& types, std::uint64_t seed, const 
         drawn.character.box.x += left, drawn.character.box.y += top;
         page.characters.push_back(drawn.character);
     }
-    const bool photo = paper.chance(options.photo);
-    page.picture = on_paper(ink, paper, photo);
+    const Look look = random_look(paper, options);
+    page.picture = on_paper(ink, paper, look);
     return page;
 }
 

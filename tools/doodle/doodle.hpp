@@ -16,6 +16,7 @@ struct DoodleOptions {
     int width = 320, height = 320; // pixels of the picture; at least 64
     double fill = 0.0;             // longer side of the character / room for it; 0: random in 0.6 … 0.95
     double photo = 0.3;   // probability of the photo look: tinted paper, shadow, vignette, noise, blur
+    double paper = 0.1;   // probability of tinted or ruled paper where there is no photo look
     double colour = 0.25; // probability that parts are coloured in
     double pen = 0.0;     // pen width in pixels; 0: random
     double gaps = 1.0;    // how much the outlines are interrupted (0: never, 1: as people do)
@@ -50,8 +51,13 @@ const std::vector<std::string>& character_types();
 // type.
 std::vector<std::string> species_of(const std::string& type);
 
+// `type` may be type:species too. Throws Error(usage) for unknown names and pictures below 64 pixels.
 Doodle draw_character(const std::string& type, std::uint64_t seed, const DoodleOptions& options = {});
-// Characters side by side in a loose grid that never overlap; options.species must be empty or fit each type.
+// Characters side by side in a loose grid; they never overlap. An entry is a type or type:species, such as
+// quadruped:horse.
 Page draw_page(const std::vector<std::string>& types, std::uint64_t seed, const DoodleOptions& options = {});
+
+// A baseline JPEG, as a camera writes it; quality 1 … 100.
+std::vector<unsigned char> encode_jpeg(const RgbImage& picture, int quality = 85);
 
 } // namespace pantin::doodle

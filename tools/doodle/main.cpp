@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -18,9 +19,9 @@ using Json = nlohmann::ordered_json;
 
 struct Arguments {
     std::string folder;
-    int count = 100;
+    int count = 100, first = 0;
     std::uint64_t seed = 1;
-    std::string type = "mixed";
+    std::string type = "mixed", types, format = "png";
     int per_page = 1, size = 320, height = 0;
     doodle::DoodleOptions options;
 };
@@ -38,24 +39,42 @@ Json describe(const doodle::Character& c) {
             {"box", {c.box.x, c.box.y, c.box.width, c.box.height}}};
 }
 
-Json write_page(const Arguments& a, int index) {
-    const std::uint64_t seed = a.seed * 1'000'003u + static_cast<std::uint64_t>(index);
-    const std::vector<std::string>& all = doodle::character_types();
+// A list of types for every page, or the one type, or the three in turn.
+std::vector<std::string> types_of_page(const Arguments& a, int index) {
     std::vector<std::string> types;
+    std::istringstream list(a.types);
+    for (std::string type; std::getline(list, type, ',');) types.push_back(type);
+    if (!types.empty()) return types;
+    const std::vector<std::string>& all = doodle::character_types();
     for (int k = 0; k < a.per_page; ++k)
         types.push_back(a.type == "mixed" ? all[static_cast<std::size_t>(index + k) % all.size()] : a.type);
+    return types;
+}
+
+void save_picture(const Arguments& a, const std::string& id, const RgbImage& picture) {
+    const std::filesystem::path file = std::filesystem::path(a.folder) / "image" / (id + "." + a.format);
+    if (a.format == "png") return save_png(file, picture);
+    const std::vector<unsigned char> bytes = doodle::encode_jpeg(picture);
+    std::ofstream out(file, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    if (!out.flush()) throw Error(ErrorKind::output, file.string() + ": cannot be written");
+}
+
+Json write_page(const Arguments& a, int index) {
+    const std::uint64_t seed = a.seed * 1'000'003u + static_cast<std::uint64_t>(index);
+    const std::vector<std::string> types = types_of_page(a, index);
     const std::filesystem::path folder = a.folder;
     const std::string id = name_of_page(index);
     Json row = {{"id", id}, {"seed", seed}, {"width", a.options.width}, {"height", a.options.height}};
-    if (a.per_page == 1) {
+    if (types.size() == 1) {
         const doodle::Doodle d = doodle::draw_character(types.front(), seed, a.options);
-        save_png(folder / "image" / (id + ".png"), d.picture);
+        save_picture(a, id, d.picture);
         save_png(folder / "label" / (id + ".png"), d.labels);
         row.update(describe(d));
         return row;
     }
     const doodle::Page page = doodle::draw_page(types, seed, a.options);
-    save_png(folder / "image" / (id + ".png"), page.picture);
+    save_picture(a, id, page.picture);
     save_png(folder / "label" / (id + ".png"), page.labels);
     save_png(folder / "instance" / (id + ".png"), page.instances);
     row["characters"] = Json::array();
@@ -66,9 +85,9 @@ Json write_page(const Arguments& a, int index) {
 void run(const Arguments& a) {
     const std::filesystem::path folder = a.folder;
     for (const char* part : {"image", "label"}) std::filesystem::create_directories(folder / part);
-    if (a.per_page > 1) std::filesystem::create_directories(folder / "instance");
+    if (a.per_page > 1 || !a.types.empty()) std::filesystem::create_directories(folder / "instance");
     std::ofstream index(folder / "index.ndjson", std::ios::binary);
-    for (int i = 0; i < a.count; ++i) index << write_page(a, i).dump() << '\n';
+    for (int i = a.first; i < a.first + a.count; ++i) index << write_page(a, i).dump() << '\n';
     index.flush();
     if (!index) throw Error(ErrorKind::output, (folder / "index.ndjson").string() + ": cannot be written");
 }
@@ -81,11 +100,18 @@ int main(int argc, char** argv) {
                  "page), OUT/index.ndjson"};
     app.add_option("out", a.folder, "folder to write")->required();
     app.add_option("--count", a.count, "drawings")->check(CLI::Range(1, 1'000'000));
+    app.add_option("--first", a.first, "number of the first drawing")->check(CLI::Range(0, 100'000'000));
     app.add_option("--seed", a.seed, "everything follows from it");
     app.add_option("--type", a.type, "humanoid, quadruped, flying, mixed, head, blob or scribble")
         ->check(CLI::IsMember({"humanoid", "quadruped", "flying", "mixed", "head", "blob", "scribble"}));
     app.add_option("--species", a.options.species, "what exactly, e.g. dog");
     app.add_option("--per-page", a.per_page, "characters on one page")->check(CLI::Range(1, 64));
+    app.add_option("--types", a.types, "what is on every page, e.g. humanoid,quadruped:dog,head");
+    app.add_option("--format", a.format, "of the pictures: png or jpg")->check(CLI::IsMember({"png", "jpg"}));
+    app.add_option("--paper", a.options.paper, "share of the others that are on tinted or ruled paper")
+        ->check(CLI::Range(0.0, 1.0));
+    app.add_option("--tilt", a.options.tilt, "how much figures are turned (0: upright)")
+        ->check(CLI::Range(0.0, 2.0));
     app.add_option("--size", a.size, "width in pixels, and height unless given")->check(CLI::Range(64, 4096));
     app.add_option("--height", a.height, "height in pixels")->check(CLI::Range(64, 4096));
     app.add_option("--photo", a.options.photo, "share of drawings that look photographed")

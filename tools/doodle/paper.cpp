@@ -92,56 +92,92 @@ Light random_light(Random& r) {
     return light;
 }
 
-} // namespace
+// Slow stains: bilinear value noise on a coarse grid, in [−1, 1].
+double blotch_at(int x, int y, int cell, std::uint64_t seed) {
+    const double fx = static_cast<double>(x) / cell, fy = static_cast<double>(y) / cell;
+    const int cx = static_cast<int>(fx), cy = static_cast<int>(fy);
+    const double tx = fx - cx, ty = fy - cy;
+    const double top = pixel_noise(cx, cy, seed) * (1 - tx) + pixel_noise(cx + 1, cy, seed) * tx;
+    const double bottom = pixel_noise(cx, cy + 1, seed) * (1 - tx) + pixel_noise(cx + 1, cy + 1, seed) * tx;
+    return 2 * (top * (1 - ty) + bottom * ty) - 1;
+}
 
-RgbImage on_paper(const Grid<Colour>& ink, Random& r, bool photo) {
-    const int w = ink.width(), h = ink.height();
-    RgbImage out(w, h);
-    if (!photo) {
-        for (std::size_t i = 0; i < ink.size(); ++i) {
-            const Colour& c = ink.data()[i];
-            out.data()[i] = {to_byte(c[0]), to_byte(c[1]), to_byte(c[2])};
-        }
-        return out;
+// Ink, print and the sheet's own colour, multiplied.
+Colour on_sheet(const Colour& ink, const Colour& sheet, double print, double shade, double fade) {
+    Colour out;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double stain = 1.0 - (1.0 - ink[k] / 255.0) * (1.0 - fade);
+        const double line = k == 2 ? 0.5 + 0.5 * print : print; // the lines are bluish
+        out[k] = static_cast<float>(sheet[k] * shade * stain * line);
     }
-    const double brightness = r.uniform(165, 245), warmth = r.uniform(-0.03, 0.12);
-    const Colour paper{static_cast<float>(brightness * (1 + 0.3 * warmth)), static_cast<float>(brightness),
-                       static_cast<float>(brightness * (1 - warmth))};
+    return out;
+}
+
+Colour sheet_colour(double brightness, double warmth) {
+    return {static_cast<float>(std::min(255.0, brightness * (1 + 0.3 * warmth))),
+            static_cast<float>(brightness), static_cast<float>(brightness * (1 - warmth))};
+}
+
+RgbImage rounded(const Grid<Colour>& image) {
+    RgbImage out(image.width(), image.height());
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        const Colour& c = image.data()[i];
+        out.data()[i] = {to_byte(c[0]), to_byte(c[1]), to_byte(c[2])};
+    }
+    return out;
+}
+
+RgbImage scanned(const Grid<Colour>& ink, Random& r) {
+    const double brightness = r.uniform(228, 252);
+    const Colour sheet = sheet_colour(brightness, r.uniform(-0.02, 0.12));
+    const Ruling ruling = random_ruling(r, ink.width(), ink.height());
+    Grid<Colour> page(ink.width(), ink.height());
+    for (int y = 0; y < ink.height(); ++y)
+        for (int x = 0; x < ink.width(); ++x)
+            page(x, y) = on_sheet(ink(x, y), sheet, ruling.at(x, y), 1.0, 0.0);
+    return rounded(page);
+}
+
+RgbImage photographed(const Grid<Colour>& ink, Random& r) {
+    const int w = ink.width(), h = ink.height();
+    const double brightness = r.uniform(165, 245);
+    const Colour sheet = sheet_colour(brightness, r.uniform(-0.03, 0.12));
     const Ruling ruling = random_ruling(r, w, h);
     const Light light = random_light(r);
     const double noise = r.chance(0.7) ? r.uniform(0.5, 5.0) : 0.0, blotch = r.uniform(0.0, 0.02);
     const double fade = r.uniform(0.0, 0.25); // ink never gets quite black in a photograph
     const std::uint64_t seed = r.next();
-    Grid<Colour> page(w, h);
     const int cell = std::max(8, std::min(w, h) / 12);
+    Grid<Colour> page(w, h);
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x) {
-            const double fx = static_cast<double>(x) / cell, fy = static_cast<double>(y) / cell;
-            const int cx = static_cast<int>(fx), cy = static_cast<int>(fy);
-            const double tx = fx - cx, ty = fy - cy;
-            const double top = pixel_noise(cx, cy, seed) * (1 - tx) + pixel_noise(cx + 1, cy, seed) * tx;
-            const double bottom =
-                pixel_noise(cx, cy + 1, seed) * (1 - tx) + pixel_noise(cx + 1, cy + 1, seed) * tx;
-            const double shade = light.at(2.0 * x / w - 1, 2.0 * y / h - 1) *
-                                 (1 + blotch * (2 * (top * (1 - ty) + bottom * ty) - 1));
-            const double line = ruling.at(x, y);
-            for (std::size_t k = 0; k < 3; ++k) {
-                const double stain = 1.0 - (1.0 - ink(x, y)[k] / 255.0) * (1.0 - fade);
-                const double print = k == 2 ? 0.5 + 0.5 * line : line; // the lines are bluish
-                page(x, y)[k] = static_cast<float>(paper[k] * shade * stain * print);
-            }
+            const double shade =
+                light.at(2.0 * x / w - 1, 2.0 * y / h - 1) * (1 + blotch * blotch_at(x, y, cell, seed));
+            page(x, y) = on_sheet(ink(x, y), sheet, ruling.at(x, y), shade, fade);
         }
     soften(page, static_cast<float>(r.uniform(0.2, 1.0)));
     if (r.chance(0.3)) soften(page, 1.0f);
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x) {
             const double common = noise * (pixel_noise(x, y, seed + 1) + pixel_noise(x, y, seed + 2) - 1.0);
-            const Colour& c = page(x, y);
             const double tint = 0.4 * noise * (pixel_noise(x, y, seed + 3) - 0.5);
-            out(x, y) = {to_byte(c[0] + common + tint), to_byte(c[1] + common),
-                         to_byte(c[2] + common - tint)};
+            Colour& c = page(x, y);
+            c = {static_cast<float>(c[0] + common + tint), static_cast<float>(c[1] + common),
+                 static_cast<float>(c[2] + common - tint)};
         }
-    return out;
+    return rounded(page);
+}
+
+} // namespace
+
+Look random_look(Random& r, const DoodleOptions& options) {
+    const bool photo = r.chance(options.photo), paper = r.chance(options.paper);
+    return photo ? Look::photo : paper ? Look::paper : Look::screen;
+}
+
+RgbImage on_paper(const Grid<Colour>& ink, Random& r, Look look) {
+    if (look == Look::photo) return photographed(ink, r);
+    return look == Look::paper ? scanned(ink, r) : rounded(ink);
 }
 
 } // namespace pantin::doodle

@@ -134,7 +134,7 @@ void colour_in(Layer& layer, const Grid<std::uint8_t>& where, const Box& area, c
         for (int y = 0; y < area.height; ++y)
             for (int x = 0; x < area.width; ++x) amount(x, y) = 0.85f * cover.at(area.x + x, area.y + y);
     }
-    const double grain = hand.filling == Filling::flat ? 0.0 : 0.5;
+    const double grain = hand.filling == Filling::flat ? 0.0 : hand.filling == Filling::hatched ? 0.35 : 0.22;
     for (int y = 0; y < area.height; ++y)
         for (int x = 0; x < area.width; ++x) {
             const int px = area.x + x, py = area.y + y;
