@@ -17,7 +17,7 @@ import cv2
 import numpy as np
 
 import render
-from model import INPUT, POSES
+from model import POSES
 
 SIZE = 320
 GROUND, WINGED, UNKNOWN = 0, 1, 255
@@ -160,9 +160,12 @@ class Shards:
         return images[k, 0], images[k, 1], *facts[k]
 
 
-def augment(ink, labels, expert, pose, rng):
-    """one training example: ink (256, 256) float32 in [0, 1], labels (256, 256) uint8, expert, pose."""
-    size, flip = ink.shape[0], rng.random() < 0.5
+def augment(ink, labels, expert, pose, rng, size):
+    """one training example: ink (size, size) float32 in [0, 1], labels (size, size) uint8, expert, pose."""
+    flip = rng.random() < 0.5
+    if size <= 0.65 * SIZE:                              # first to half size by area, so that no thin line is lost
+        ink = cv2.resize(ink, (SIZE // 2, SIZE // 2), interpolation=cv2.INTER_AREA)
+        labels = labels[::2, ::2]
     ys, xs = np.nonzero(labels)
     low, high = np.array([xs.min(), ys.min()]), np.array([xs.max() + 1, ys.max() + 1])
     angle = np.radians(rng.normal(0, 6) if rng.random() < 0.8 else rng.uniform(-15, 15))
@@ -174,23 +177,23 @@ def augment(ink, labels, expert, pose, rng):
     else:
         shrink = 1
     extent = (corners.max(0) - corners.min(0)).max() * shrink
-    scale = INPUT * (1 - 2 * rng.uniform(0.0, 0.06)) / extent
+    scale = size * (1 - 2 * rng.uniform(0.0, 0.06)) / extent
     forward = scale * forward
-    shift = INPUT / 2 - forward @ ((low + high) / 2) + rng.uniform(-0.015, 0.015, 2) * INPUT
+    shift = size / 2 - forward @ ((low + high) / 2) + rng.uniform(-0.015, 0.015, 2) * size
     matrix = np.c_[forward, shift].astype(np.float32)
     if rng.random() < 0.5:
         inverse = cv2.invertAffineTransform(matrix)
-        grid = np.stack(np.meshgrid(np.arange(INPUT, dtype=np.float32), np.arange(INPUT, dtype=np.float32)), -1)
+        grid = np.stack(np.meshgrid(np.arange(size, dtype=np.float32), np.arange(size, dtype=np.float32)), -1)
         source = grid @ inverse[:, :2].T + inverse[:, 2]
-        amplitude = abs(rng.normal(0, 3.0))
+        amplitude = abs(rng.normal(0, 3.0)) * ink.shape[0] / SIZE
         for axis in range(2):
-            source[..., axis] += render.smooth_noise(rng, (INPUT, INPUT), int(rng.integers(4, 9)), amplitude)
+            source[..., axis] += render.smooth_noise(rng, (size, size), int(rng.integers(4, 9)), amplitude)
         source = source.astype(np.float32)
         ink = cv2.remap(ink, source, None, cv2.INTER_LINEAR)
         labels = cv2.remap(labels, source, None, cv2.INTER_NEAREST)
     else:
-        ink = cv2.warpAffine(ink, matrix, (INPUT, INPUT), flags=cv2.INTER_LINEAR)
-        labels = cv2.warpAffine(labels, matrix, (INPUT, INPUT), flags=cv2.INTER_NEAREST)
+        ink = cv2.warpAffine(ink, matrix, (size, size), flags=cv2.INTER_LINEAR)
+        labels = cv2.warpAffine(labels, matrix, (size, size), flags=cv2.INTER_NEAREST)
     if flip and pose != UNKNOWN:
         pose = POSES.index(POSES[pose].translate(str.maketrans("EW", "WE")))
     return look(ink, rng), labels, expert, pose
@@ -216,8 +219,8 @@ def look(ink, rng):
     return np.clip(ink, 0, 1)
 
 
-def batch(shards, count, rng):
-    examples = [augment(*shards.draw(rng), rng) for _ in range(count)]
+def batch(shards, count, rng, size):
+    examples = [augment(*shards.draw(rng), rng, size) for _ in range(count)]
     ink, labels, experts, poses = zip(*examples)
     return np.stack(ink)[:, None], np.stack(labels), np.array(experts), np.array(poses)
 

@@ -51,12 +51,12 @@ def load(path, raw=False):
     """a Segmenter in evaluation mode, from a checkpoint of train.py or from a safetensors file."""
     if path.endswith(".safetensors"):
         tensors, facts = read_safetensors(path)
-        model = Segmenter(*(tuple(map(int, facts[key].split(","))) for key in ("widths", "decoder")))
+        model = Segmenter(*(tuple(map(int, facts[key].split(","))) for key in ("widths", "decoder")), int(facts["input"]))
         state = {name: torch.from_numpy(value.copy()) for name, value in tensors.items()}
         model.load_state_dict(state, strict=False)
     else:
         checkpoint = torch.load(path, map_location="cpu")
-        model = Segmenter(checkpoint["widths"], checkpoint["decoder"])
+        model = Segmenter(checkpoint["widths"], checkpoint["decoder"], checkpoint["size"])
         model.load_state_dict(checkpoint["model" if raw else "average"])
     return model.eval()
 
@@ -64,7 +64,7 @@ def load(path, raw=False):
 def fixture(weights, expected):
     """tiny widths, random weights and statistics; one input (48 x 48) and what both experts, the router and the pose head say."""
     torch.manual_seed(7)
-    model = Segmenter((4, 6, 8, 10), (8, 6, 4))
+    model = Segmenter((4, 6, 8, 10), (8, 6, 4), 48)
     generator = torch.Generator().manual_seed(8)
     for name, value in model.state_dict().items():
         if name.endswith(("running_var", "norm.weight")):
@@ -75,7 +75,7 @@ def fixture(weights, expected):
     ink = (torch.rand(1, 1, 48, 48, generator=generator) > 0.7).float() * torch.rand(1, 1, 48, 48, generator=generator)
     with torch.no_grad():
         parts, router, pose = model(ink)
-    facts = {**metadata(model), "input": "48"}
+    facts = metadata(model)
     write_safetensors(weights, tensors_of(model, "F32"), facts)
     answers = {"input": ink, "router": router.softmax(1), "pose": pose.softmax(1)}
     for name in EXPERTS:

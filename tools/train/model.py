@@ -123,9 +123,9 @@ class Pose(nn.Module):
 
 
 class Segmenter(nn.Module):
-    def __init__(self, widths=WIDTHS, decoder=DECODER):
+    def __init__(self, widths=WIDTHS, decoder=DECODER, size=INPUT):
         super().__init__()
-        self.widths, self.decoder = tuple(widths), tuple(decoder)
+        self.widths, self.decoder, self.size = tuple(widths), tuple(decoder), size
         self.stem = Stem(widths)
         self.router = Router(widths[3])
         self.pose = Pose(widths[3], decoder[0])
@@ -147,6 +147,6 @@ class Segmenter(nn.Module):
 
 
 def metadata(model):
-    return {"model": "pantin.segmenter", "version": "1", "input": str(INPUT), "widths": ",".join(map(str, model.widths)),
+    return {"model": "pantin.segmenter", "version": "1", "input": str(model.size), "widths": ",".join(map(str, model.widths)),
             "decoder": ",".join(map(str, model.decoder)), "experts": ",".join(EXPERTS), "labels": ",".join(LABELS),
             "poses": ",".join(POSES)}

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Trains the segmentation network on shards (dataset.py), on the processor, within a given time.
 
-usage: train.py SHARDS OUT --minutes M [--resume CHECKPOINT] [--rate 2e-3] [--batch 16] [--seed 1] [--share source=weight ...]
+usage: train.py SHARDS OUT --minutes M [--resume CHECKPOINT] [--rate 2e-3] [--batch 16] [--size 256] [--seed 1] [--share source=weight ...]
 AdamW; the rate climbs for 2 %, stays until half of the time and falls along a cosine to zero at its end. Writes OUT/last.pt every few
 minutes (model, moving average of the weights, optimiser, step) and one line per 50 steps on stdout.
 """
@@ -17,7 +17,7 @@ import torch
 import torch.nn.functional as F
 
 import dataset
-from model import EXPERTS, LABELS, Segmenter
+from model import EXPERTS, INPUT, LABELS, Segmenter
 
 SHARES = {"label_maps": 0.36, "strokes": 0.24, "spg": 0.12, "doodle": 0.28}
 IGNORE = dataset.UNKNOWN
@@ -63,8 +63,8 @@ def follow(average, model, decay):
 
 
 def save(path, model, average, optimiser, step):
-    torch.save({"widths": model.widths, "decoder": model.decoder, "model": model.state_dict(), "average": average.state_dict(),
-                "optimiser": optimiser.state_dict(), "step": step}, path + ".part")
+    torch.save({"widths": model.widths, "decoder": model.decoder, "size": model.size, "model": model.state_dict(),
+                "average": average.state_dict(), "optimiser": optimiser.state_dict(), "step": step}, path + ".part")
     os.replace(path + ".part", path)
 
 
@@ -75,7 +75,7 @@ def train(args):
     rng = np.random.default_rng(args.seed)
     shares = {**SHARES, **{k: float(v) for k, v in (s.split("=") for s in args.share)}}
     shards = dataset.Shards(args.shards, shares)
-    model = Segmenter().to(memory_format=torch.channels_last)
+    model = Segmenter(size=args.size).to(memory_format=torch.channels_last)
     optimiser = torch.optim.AdamW(model.parameters(), lr=args.rate, weight_decay=0.02)
     step = 0
     if args.resume:
@@ -90,7 +90,7 @@ def train(args):
     while (progress := (time.time() - begin) / (60 * args.minutes)) < 1:
         for group in optimiser.param_groups:
             group["lr"] = rate_at(progress, args.rate)
-        ink, labels, experts, poses = dataset.batch(shards, args.batch, rng)
+        ink, labels, experts, poses = dataset.batch(shards, args.batch, rng, args.size)
         loss = loss_of(model, torch.from_numpy(ink), torch.from_numpy(labels).long(), torch.from_numpy(experts).long(),
                        torch.from_numpy(poses).long())
         optimiser.zero_grad()
@@ -119,6 +119,7 @@ def main():
     parser.add_argument("--resume")
     parser.add_argument("--rate", type=float, default=2e-3)
     parser.add_argument("--batch", type=int, default=16)
+    parser.add_argument("--size", type=int, default=INPUT, help="side of the training images: small ones first, the input last")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--share", nargs="*", default=[])
     args = parser.parse_args()

@@ -1,0 +1,182 @@
+#!/usr/bin/python3
+"""Mean IoU over the parts present, on held-out drawings (fold 0) made and labelled by the two shared scripts.
+
+usage: evaluate.py DATA (--model CHECKPOINT_OR_SAFETENSORS [--raw] | --pantin BINARY) [--fold 0] [--erase 0.0]
+                   [--sheet OUT.png] [--report OUT.md]
+DATA/../tools holds label_map_to_drawing.py and strokes_to_regions.py. For each drawing: IoU of every part that the truth has; its
+mean is the drawing's score; tables give the mean of the drawings and of each part. --sheet: drawing | truth | answer.
+With --pantin the drawing is a page for `pantin detect` and `pantin segment`; the largest character's labels are put back onto it.
+"""
+import argparse
+import collections
+import csv
+import hashlib
+import json
+import os
+import subprocess
+import tempfile
+
+import cv2
+import numpy as np
+import torch
+
+import dataset
+import export
+from model import EXPERTS, LABELS
+
+COLOURS = np.array([[255, 255, 255], [60, 90, 220], [220, 60, 60], [60, 180, 75], [245, 130, 48], [240, 200, 0]], np.uint8)
+PAD = 20                                            # paper added around a drawing, so that the page is larger than the character
+
+Drawing = collections.namedtuple("Drawing", "name group kind category image truth")
+
+
+def held_out_drawings(data, fold, erase):
+    """label maps and labelled strokes of one fold, drawn as the shared scripts draw them."""
+    scripts = {name: dataset.load_module(f"{data}/../tools/{name}.py") for name in ("label_map_to_drawing", "strokes_to_regions")}
+    fold_of = dataset.load_module(f"{data}/split.py").fold
+    drawings = []
+    for row in csv.DictReader(open(f"{data}/label_maps/index.csv")):
+        if fold_of(row["id"]) == fold:
+            script = scripts["label_map_to_drawing"]
+            truth = script.truth(cv2.imread(f"{data}/label_maps/{row['id']}.png", cv2.IMREAD_GRAYSCALE))
+            seed = int.from_bytes(hashlib.sha1(row["id"].encode()).digest()[4:8], "big")
+            if truth.any():
+                drawings.append(Drawing(row["id"], "label maps", row["type"], row["class"], script.draw(truth, seed, erase), truth))
+    for line in open(f"{data}/strokes/quickdraw-labelled.ndjson"):
+        record = json.loads(line)
+        if fold_of(record["id"]) == fold:
+            image, truth = scripts["strokes_to_regions"].convert(record)
+            drawings.append(Drawing(record["id"], "strokes", record["type"], record["class"], image, truth))
+    return [d._replace(image=np.pad(d.image, PAD, constant_values=255), truth=np.pad(d.truth, PAD)) for d in drawings]
+
+
+def crop_box(darkness):
+    """box of the ink with its margin, cut at the page's border: x, y, width, height."""
+    ys, xs = np.nonzero(darkness > 60)
+    margin = max(4, int(round(0.02 * max(np.ptp(xs) + 1, np.ptp(ys) + 1))))
+    x, y = max(0, xs.min() - margin), max(0, ys.min() - margin)
+    return x, y, min(darkness.shape[1], xs.max() + 1 + margin) - x, min(darkness.shape[0], ys.max() + 1 + margin) - y
+
+
+def letterbox(ink, size):
+    """crop (h, w) in [0, 1] -> network input, and where the crop lies in it."""
+    h, w = ink.shape
+    scale = size / max(h, w)
+    width, height = max(1, int(w * scale + 0.5)), max(1, int(h * scale + 0.5))
+    small = cv2.resize(ink, (width, height), interpolation=cv2.INTER_AREA if scale < 1 else cv2.INTER_LINEAR)
+    x, y = (size - width) // 2, (size - height) // 2
+    page = np.zeros((size, size), np.float32)
+    page[y:y + height, x:x + width] = small
+    return page, (x, y, width, height)
+
+
+@torch.no_grad()
+def predict(model, image):
+    """page (h, w), 0 ink, 255 paper -> label map of the page, name of the expert."""
+    darkness = 255 - image
+    x, y, w, h = crop_box(darkness)
+    page, (left, top, width, height) = letterbox(darkness[y:y + h, x:x + w].astype(np.float32) / 255, model.size)
+    parts, router, _ = model(torch.from_numpy(page)[None, None])
+    expert = EXPERTS[int(router[0].argmax())]
+    chances = parts[expert][0].softmax(0)[:, top:top + height, left:left + width].numpy()
+    chances = np.stack([cv2.resize(c, (int(w), int(h)), interpolation=cv2.INTER_LINEAR) for c in chances])
+    labels = np.zeros(image.shape, np.uint8)
+    labels[y:y + h, x:x + w] = chances.argmax(0)
+    return labels, expert
+
+
+def run_pantin(binary, image):
+    """page -> label map of the page by the program, name of the expert ("" when nothing was found)."""
+    labels, expert = np.zeros(image.shape, np.uint8), ""
+    with tempfile.TemporaryDirectory() as folder:
+        cv2.imwrite(f"{folder}/page.png", image)
+        if subprocess.run([binary, "detect", f"{folder}/page.png", "-o", f"{folder}/out", "--quiet"]).returncode:
+            return labels, expert
+        characters = json.load(open(f"{folder}/out/page.json"))["characters"]
+        found = max(characters, key=lambda c: c["box"][2] * c["box"][3])
+        place = os.path.join(folder, "out", found["folder"])
+        if subprocess.run([binary, "segment", place, "--quiet"]).returncode:
+            return labels, expert
+        x, y, w, h = found["box"]
+        answer = cv2.imread(f"{place}/labels.png", cv2.IMREAD_GRAYSCALE)
+        labels[y:y + h, x:x + w] = cv2.resize(answer, (w, h), interpolation=cv2.INTER_NEAREST)
+        expert = json.load(open(f"{place}/segmentation.json"))["expert"]
+    return labels, expert
+
+
+def part_scores(truth, answer):
+    """{part name: IoU} of the parts that the truth has, and "silhouette"."""
+    scores = {}
+    for part in range(1, len(LABELS)):
+        a, b = truth == part, answer == part
+        if a.any():
+            scores[LABELS[part]] = (a & b).sum() / (a | b).sum()
+    scores["silhouette"] = ((truth > 0) & (answer > 0)).sum() / max(1, ((truth > 0) | (answer > 0)).sum())
+    return scores
+
+
+def table(rows):
+    """rows: list of (drawing, part scores, expert right) -> lines of a Markdown table per group, type and class."""
+    names = ["mean IoU"] + LABELS[1:] + ["silhouette", "router"]
+    lines = ["| drawings | n | " + " | ".join(names) + " |", "|---|---|" + "---|" * len(names)]
+    groups = collections.OrderedDict()
+    for row in rows:
+        for key in ((row[0].group,), (row[0].group, row[0].kind), (row[0].group, row[0].kind, row[0].category)):
+            groups.setdefault(key, []).append(row)
+    for key in sorted(groups):
+        members, cells = groups[key], []
+        means = [np.mean([v for k, v in scores.items() if k != "silhouette"]) for _, scores, _ in members]
+        cells.append(f"{np.mean(means):.3f}")
+        for part in LABELS[1:] + ["silhouette"]:
+            values = [scores[part] for _, scores, _ in members if part in scores]
+            cells.append(f"{np.mean(values):.3f} ({len(values)})" if values and part != "silhouette" else
+                         f"{np.mean(values):.3f}" if values else "–")
+        cells.append(f"{np.mean([right for _, _, right in members]):.2f}")
+        lines.append(f"| {', '.join(key)} | {len(members)} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def picture(drawing, answer):
+    grey = np.dstack([drawing.image] * 3)
+    paint = [cv2.addWeighted(grey, 0.4, np.ascontiguousarray(COLOURS[labels][:, :, ::-1]), 0.6, 0) for labels in (drawing.truth, answer)]
+    return cv2.resize(np.concatenate([grey] + paint, 1), (450, 150), interpolation=cv2.INTER_AREA)
+
+
+def contact_sheet(tiles, path, columns=4):
+    tiles = tiles + [np.full_like(tiles[0], 255)] * (-len(tiles) % columns)
+    cv2.imwrite(path, np.concatenate([np.concatenate(tiles[k:k + columns], 1) for k in range(0, len(tiles), columns)], 0))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("data")
+    answerer = parser.add_mutually_exclusive_group(required=True)
+    answerer.add_argument("--model")
+    answerer.add_argument("--pantin")
+    parser.add_argument("--raw", action="store_true")
+    parser.add_argument("--fold", type=int, default=0)
+    parser.add_argument("--erase", type=float, default=0.0)
+    parser.add_argument("--sheet")
+    parser.add_argument("--report")
+    args = parser.parse_args()
+    torch.set_num_threads(1)
+    model = export.load(args.model, args.raw) if args.model else None
+    rows, tiles = [], []
+    for drawing in held_out_drawings(args.data, args.fold, args.erase):
+        answer, expert = predict(model, drawing.image) if model else run_pantin(args.pantin, drawing.image)
+        right = bool(expert) and EXPERTS.index(expert) == dataset.EXPERT[drawing.kind]
+        scores = part_scores(drawing.truth, answer)
+        rows.append((drawing, scores, right))
+        tile = picture(drawing, answer)
+        cv2.putText(tile, f"{drawing.name} {np.mean(list(scores.values())[:-1]):.2f} {expert}", (3, 11), 0, 0.35, (0, 0, 0), 1, cv2.LINE_AA)
+        tiles.append(tile)
+    lines = table(rows)
+    print("\n".join(lines))
+    if args.report:
+        open(args.report, "w").write("\n".join(lines) + "\n")
+    if args.sheet:
+        contact_sheet(tiles, args.sheet)
+
+
+if __name__ == "__main__":
+    main()
