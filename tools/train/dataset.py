@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Training data: precomputed shards of (darkness, labels) pairs, and the augmentation that the training loop adds.
 
-usage: dataset.py DATA OUT --source {label_maps,strokes,spg,doodle} [--rounds N] [--seed S] [--doodle FOLDER]
-DATA is the folder of the real drawings (its README describes it). Writes OUT/<source>_<k>.npy, uint8 (n, 2, 320, 320): darkness
+usage: dataset.py DATA OUT --source {label_maps,strokes,spg,doodle} [--rounds N] [--seed S]
+DATA is the folder of the real drawings (its README describes it); for doodle the folder that tools/doodle wrote. Writes OUT/<source>_<k>.npy, uint8 (n, 2, 320, 320): darkness
 (0 paper, 255 ink) and part labels (255: not judged), and OUT/<source>_<k>.json with expert and pose of each.
 Drawings of fold 0 (DATA/split.py, held_out) never get in.
 """
@@ -17,6 +17,7 @@ import cv2
 import numpy as np
 
 import render
+import tone
 from model import POSES
 
 SIZE = 320
@@ -112,7 +113,17 @@ def unsure(name, labels):
     return labels
 
 
-SOURCES = {"label_maps": from_label_maps, "strokes": from_strokes, "spg": from_spg}
+def from_doodle(folder, rng, rounds):
+    """what tools/doodle wrote into FOLDER; photographs and colours go through the same steps as in the program."""
+    for line in open(f"{folder}/index.ndjson"):
+        row = json.loads(line)
+        picture = cv2.imread(f"{folder}/image/{row['id']}.png")[:, :, ::-1]
+        labels = cv2.imread(f"{folder}/label/{row['id']}.png", cv2.IMREAD_GRAYSCALE)
+        darkness = (tone.ink_darkness(picture) * 255 + 0.5).astype(np.uint8)
+        yield darkness, labels, EXPERT[row["type"]], pose_index(row["pose"])
+
+
+SOURCES = {"label_maps": from_label_maps, "strokes": from_strokes, "spg": from_spg, "doodle": from_doodle}
 
 
 def write_shards(out, source, samples, shard=250):

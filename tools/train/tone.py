@@ -10,8 +10,11 @@ DARK_PIXEL, DARK_PERCENT, MIN_DARK_LEVEL = 0.15, 95, 0.25
 
 def paper_blocks(grey, block):
     h, w = grey.shape
-    brightness = np.array([[np.percentile(grey[y:y + block, x:x + block], PAPER_PERCENT, method="inverted_cdf")
-                            for x in range(0, w, block)] for y in range(0, h, block)], np.float32)
+    padded = np.pad(grey.astype(np.int32), ((0, -h % block), (0, -w % block)), constant_values=999)       # 999 sorts last
+    rows, columns = padded.shape[0] // block, padded.shape[1] // block
+    values = np.sort(padded.reshape(rows, block, columns, block).swapaxes(1, 2).reshape(rows, columns, -1), -1)
+    counts = (values < 999).sum(-1)
+    brightness = np.take_along_axis(values, (-(-PAPER_PERCENT * counts // 100) - 1)[..., None], -1)[..., 0].astype(np.float32)
     window = 2 * max(1, max(brightness.shape) // 2) + 1
     closed = ndi.minimum_filter(ndi.maximum_filter(brightness, window, mode="nearest"), window, mode="nearest")
     paper, count = brightness >= FILL_RATIO * closed, -1
