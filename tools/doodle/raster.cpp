@@ -6,16 +6,17 @@
 namespace pantin::doodle {
 
 Box bounds(const Path& points, double margin, int width, int height) {
-    double x0 = width, y0 = height, x1 = -1, y1 = -1;
+    double x0 = 1e9, y0 = 1e9, x1 = -1e9, y1 = -1e9;
     for (Point2d p : points) {
         x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
         y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
     }
-    const int left = std::max(0, static_cast<int>(std::floor(std::max(x0 - margin, -1.0))));
-    const int top = std::max(0, static_cast<int>(std::floor(std::max(y0 - margin, -1.0))));
-    const int right = std::min(width - 1, static_cast<int>(std::ceil(std::min(x1 + margin, double(width)))));
+    const int left = std::max(0, static_cast<int>(std::floor(std::clamp(x0 - margin, -1.0, double(width)))));
+    const int top = std::max(0, static_cast<int>(std::floor(std::clamp(y0 - margin, -1.0, double(height)))));
+    const int right =
+        std::min(width - 1, static_cast<int>(std::ceil(std::clamp(x1 + margin, -1.0, double(width)))));
     const int bottom =
-        std::min(height - 1, static_cast<int>(std::ceil(std::min(y1 + margin, double(height)))));
+        std::min(height - 1, static_cast<int>(std::ceil(std::clamp(y1 + margin, -1.0, double(height)))));
     if (right < left || bottom < top) return {0, 0, 0, 0};
     return {left, top, right - left + 1, bottom - top + 1};
 }
