@@ -13,12 +13,14 @@
 
 namespace pantin {
 
-// --- end-effector mapping --------------------------------------------------------------------------------------
+// --- end-effector mapping
+// --------------------------------------------------------------------------------------
 
 // M samples along the skeleton path between two end-effectors.
 struct PathSamples {
-    std::vector<double> radii; // DT(p) / mean DT over the mask, at M points of equal arc length (Eq. 4.8, ERRATA 14)
-    double length = 0;         // of the path; in pixels, or divided by the mean DT (ERRATA 15)
+    std::vector<double>
+        radii;         // DT(p) / mean DT over the mask, at M points of equal arc length (Eq. 4.8, ERRATA 14)
+    double length = 0; // of the path; in pixels, or divided by the mean DT (ERRATA 15)
 };
 double path_distance(const PathSamples& a, const PathSamples& b, double alpha); // Eq. 4.9
 
@@ -28,30 +30,34 @@ struct OsbResult {
     std::vector<std::pair<int, int>> path; // matched (row, column), both ascending; may be empty
 };
 // costs[i][j], rectangular; jump cost κ of Eq. 4.13 unless given (≥ 0).
-OsbResult optimal_subsequence_bijection(const std::vector<std::vector<double>>& costs, OsbForm form = OsbForm::icdm2007,
-                                        double jump_cost = -1);
-// Minimum-cost assignment; costs are finite and may be rectangular. Result[i] = column of row i, −1 when unassigned
-// (the shorter side is assigned completely).
+OsbResult optimal_subsequence_bijection(const std::vector<std::vector<double>>& costs,
+                                        OsbForm form = OsbForm::icdm2007, double jump_cost = -1);
+// Minimum-cost assignment; costs are finite and may be rectangular. Result[i] = column of row i, −1 when
+// unassigned (the shorter side is assigned completely).
 std::vector<int> hungarian(const std::vector<std::vector<double>>& costs);
 
 // The path similarity alone is weak on parts: tails meet the right part 23 % of the time (ERRATA 19). With
 // `label_aware` the assignment is found on
-//     path_weight · c / mean c + position_weight · d² + label_penalty · [other label] − prior_weight · [matched],
-// c the similarity cost of the thesis, d the distance of the two ends, each in the bounding box of its own figure,
-// and `matched` when identification matched the two. A pair of different labels is allowed only where
-// segmentation is known to mix them up (limb, tail and wing among each other; a body end in the place of the head)
-// and d ≤ mixed_reach. Pairs of one label are then put into cyclic order, so that no two limbs cross.
+//     path_weight · c / mean c + position_weight · d² + label_penalty · [other label] − prior_weight ·
+//     [matched],
+// c the similarity cost of the thesis, d the distance of the two ends, each in the bounding box of its own
+// figure, and `matched` when identification matched the two. A pair of different labels is allowed only where
+// it makes sense (a limb for a tail or a wing, a wing for a limb of a reference without wings, a body end for
+// the head) and d ≤ mixed_reach; every other one costs `unmatched_cost` and is dropped after the assignment.
+// Pairs of one label are then put into cyclic order, so that no two limbs cross.
 struct MappingOptions {
     int samples = 50;              // M
     double alpha = 0.1;            // thesis 4.6
     bool length_in_pixels = false; // `thesis`: true; default divides by the mean DT (ERRATA 15)
     OsbForm osb = OsbForm::icdm2007;
-    bool label_aware = true;       // `thesis`: false, none of the following is used
+    bool label_aware = true; // `thesis`: false, none of the following is used
     double path_weight = 0.5;
     double position_weight = 4;
-    double label_penalty = 3;
+    double prominence_weight = 2;
+    double label_penalty = 8; // above every difference of places
     double prior_weight = 0.5;
     double mixed_reach = 0.4;
+    double unmatched_cost = 12;
 };
 struct EndPair {
     int end = 0;           // skeleton vertex
@@ -59,45 +65,48 @@ struct EndPair {
     double cost = 0;       // its entry of `costs`
 };
 struct Mapping {
-    std::vector<int> ends;           // the character's end-effectors, clockwise (Algorithm 4.2)
-    std::vector<int> reference_ends; // the reference's, clockwise
+    std::vector<int> ends;                  // the character's end-effectors, clockwise (Algorithm 4.2)
+    std::vector<int> reference_ends;        // the reference's, clockwise
     std::vector<std::vector<double>> costs; // [ends][reference_ends], what the assignment minimises
-    std::vector<EndPair> pairs;      // ascending by end
-    std::vector<int> unmatched_ends; // skeleton vertices without a partner, ascending
+    std::vector<EndPair> pairs;             // ascending by end
+    std::vector<int> unmatched_ends;        // skeleton vertices without a partner, ascending
 };
 // `silhouette` has the size of the graph; `match` is the candidate that identification chose for `reference`.
-Mapping map_end_effectors(const SkeletonGraph& graph, const Mask& silhouette, const ReferenceSkeleton& reference,
-                          const Candidate& match, const MappingOptions& options = {});
+Mapping map_end_effectors(const SkeletonGraph& graph, const Mask& silhouette,
+                          const ReferenceSkeleton& reference, const Candidate& match,
+                          const MappingOptions& options = {});
 
-// --- mesh ---------------------------------------------------------------------------------------------------------
+// --- mesh
+// ---------------------------------------------------------------------------------------------------------
 
 struct Mesh {
-    std::vector<Point2d> vertices; // working pixels
+    std::vector<Point2d> vertices;       // working pixels
     std::vector<std::vector<int>> faces; // 3 to 6 corners, convex at rest, clockwise on screen (y down)
 };
 struct MeshOptions {
-    int cell = 0;  // side of a voxel in working pixels; 0: from the size and the thinnest limb (ERRATA 21)
+    int cell = 0; // side of a voxel in working pixels; 0: from the size and the thinnest limb (ERRATA 21)
     double margin = -1; // the silhouette is grown by this many pixels first; −1: `ink_margin`; `thesis`: 0
     bool interpolate_distance = true; // `thesis`: false, the midpoint
     bool cut_touching_parts = true;   // ERRATA 22; `thesis`: false
 };
 // Marching squares quad mesh (thesis 4.6, Fig. 4.17; Maple 2003) of the silhouette grown by `options.margin`
-// (negative: 0). Voxel corners lie at multiples of the cell. Every vertex is shared, no two lie at one place, every
-// edge has one or two faces. With `cell` 0 the cell is halved from side/64 until the mesh has as many pieces and
-// holes as the grown silhouette (or the cell is 2).
+// (negative: 0). Voxel corners lie at multiples of the cell. Every vertex is shared, no two lie at one place,
+// every edge has one or two faces. With `cell` 0 the cell is halved from side/64 until the mesh has as many
+// pieces and holes as the grown silhouette (or the cell is 2).
 Mesh marching_squares(const Mask& silhouette, const MeshOptions& options);
 
-// Half of a pen's stroke may lie outside a silhouette whose border runs along the stroke's middle. Mesh and texture
-// reach this many working pixels beyond it: 1.2 % of the longer side, at least 2.
+// Half of a pen's stroke may lie outside a silhouette whose border runs along the stroke's middle. Mesh and
+// texture reach this many working pixels beyond it: 1.2 % of the longer side, at least 2.
 double ink_margin(int width, int height);
 
-// --- bones and weights -----------------------------------------------------------------------------------------------
+// --- bones and weights
+// -----------------------------------------------------------------------------------------------
 
 // Bone i turns about `head` and reaches to `tail`. The root bone (index 0) is the body.
 struct Bone {
-    std::string name;      // "hips", "leg_front_left", "leg_front_left.1" (next segment outward), …
-    int parent = -1;       // parents come first
-    Point2d head, tail;    // working pixels
+    std::string name;   // "hips", "leg_front_left", "leg_front_left.1" (next segment outward), …
+    int parent = -1;    // parents come first
+    Point2d head, tail; // working pixels
     Label label = Label::body;
     int reference_joint = -1; // which reference joint drives it; −1: it rests on its parent
     int segment = 0;          // 0 = innermost segment of its limb
@@ -120,9 +129,9 @@ struct Rig {
     Mapping mapping;
     Mesh mesh;
     std::vector<Bone> bones;
-    std::vector<VertexWeights> weights;   // per mesh vertex
-    std::vector<Point2d> texture;         // per mesh vertex, [0, 1] inside the crop, v down
-    std::vector<double> depth;            // per mesh vertex, z at rest in world units: small offsets for the draw order
+    std::vector<VertexWeights> weights; // per mesh vertex
+    std::vector<Point2d> texture;       // per mesh vertex, [0, 1] inside the crop, v down
+    std::vector<double> depth; // per mesh vertex, z at rest in world units: small offsets for the draw order
 };
 // Throws CharacterRejected("rig", …) when no end-effector can be mapped.
 Rig rig(const SkeletonGraph& graph, const LabelMap& labels, const Identification& identification,

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int most_ends = 24;       // a skeleton with more is a scribble
 constexpr double tie = 1e-9;        // distances closer than this are equal
+constexpr double head_weight = 2;   // of the head's side against the graph distance
 constexpr double ilp_margin = 1e-6; // GLPK's own tolerance on sums
 constexpr double smallest_part =
     0.02; // share of the silhouette that can move although no skeleton end lies in it
@@ -54,6 +55,35 @@ GgdResult solve(const LabelledGraph& a, const LabelledGraph& b, const GgdOptions
     return result;
 }
 
+// Mean x of the vertices with the label; false when there is none.
+bool mean_x(const LabelledGraph& graph, Label label, double& mean) {
+    int count = 0;
+    mean = 0;
+    for (std::size_t i = 0; i < graph.positions.size(); ++i)
+        if (graph.labels[i] == label) {
+            mean += graph.positions[i].x;
+            ++count;
+        }
+    if (count > 0) mean /= count;
+    return count > 0;
+}
+
+// How far the head is to the right of the body, in widths of the figure's box; 0 when one of them is not
+// known.
+double head_side(const LabelledGraph& graph) {
+    double head = 0, body = 0;
+    return mean_x(graph, Label::head, head) && mean_x(graph, Label::body, body) ? head - body : 0;
+}
+
+// Where the graph distance leaves the two sides close, the head decides: each side also pays how far it puts
+// the head from where it is drawn.
+bool mirror_is_better(const LabelledGraph& graph, const LabelledGraph& model, double distance,
+                      double mirrored_distance) {
+    const double drawn = head_side(graph), side = head_side(model);
+    return mirrored_distance + head_weight * std::abs(drawn + side) <
+           distance + head_weight * std::abs(drawn - side) - tie;
+}
+
 // The better side of a reference; the drawn side on a tie.
 Candidate compare(const LabelledGraph& graph, const ReferenceSkeleton& reference,
                   const IdentificationOptions& options) {
@@ -64,7 +94,7 @@ Candidate compare(const LabelledGraph& graph, const ReferenceSkeleton& reference
     candidate.reference = reference.name;
     if (!options.thesis_score) {
         GgdResult other = solve(graph, mirrored(model), ggd, options.use_ilp);
-        candidate.mirrored = other.distance < best.distance - tie;
+        candidate.mirrored = mirror_is_better(graph, model, best.distance, other.distance);
         if (candidate.mirrored) best = std::move(other);
     }
     candidate.distance = best.distance;

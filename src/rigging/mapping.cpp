@@ -14,8 +14,8 @@ namespace {
 
 using Matrix = std::vector<std::vector<double>>;
 
+constexpr double prong_share = 0.3; // of the rest of the limb
 constexpr double pi = 3.14159265358979323846;
-constexpr double forbidden = 1e6; // above every sum of allowed costs
 
 std::vector<int> end_effectors(const SkeletonGraph& graph) {
     std::vector<int> ends;
@@ -83,33 +83,137 @@ Matrix similarity_costs(const Figure& a, const std::vector<int>& ends_a, const F
     return costs;
 }
 
-// Where the ends are in the bounding box of all vertices of their figure.
-std::vector<Point2d> box_positions(const SkeletonGraph& graph, const std::vector<int>& ends) {
-    const LabelledGraph box = normalised(to_labelled_graph(graph));
-    std::vector<Point2d> out;
-    for (const int e : ends) out.push_back(box.positions[e]);
-    return out;
+// The ends of one figure in the bounding box of all its vertices.
+struct Places {
+    std::vector<Point2d> ends;
+    std::vector<double> bearings; // clockwise from straight up around the middle of the body, in [0, 2π)
+};
+
+// Mean place of the junctions, those of the body where there are any; the middle of the box without
+// junctions.
+Point2d middle_of(const SkeletonGraph& graph, const LabelledGraph& box) {
+    for (const bool body_only : {true, false}) {
+        Point2d sum;
+        int count = 0;
+        for (std::size_t i = 0; i < box.positions.size(); ++i) {
+            if (graph.vertices[i].end || (body_only && box.labels[i] != Label::body)) continue;
+            sum = sum + box.positions[i];
+            ++count;
+        }
+        if (count > 0) return (1.0 / count) * sum;
+    }
+    return {0.5, 0.5};
 }
 
-// Labels that segmentation mixes up at the end of a thin part.
-bool may_be_mixed_up(Label drawn, Label reference) {
-    const auto thin = [](Label l) { return l == Label::limb || l == Label::tail || l == Label::wing; };
-    return (thin(drawn) && thin(reference)) || (drawn == Label::body && reference == Label::head);
+Places places_of(const SkeletonGraph& graph, const std::vector<int>& ends) {
+    const LabelledGraph box = normalised(to_labelled_graph(graph));
+    const Point2d middle = middle_of(graph, box);
+    Places places;
+    for (const int e : ends) {
+        const Point2d d = box.positions[e] - middle;
+        const double angle = math::atan2(d.x, -d.y);
+        places.ends.push_back(box.positions[e]);
+        places.bearings.push_back(angle < 0 ? angle + 2 * pi : angle);
+    }
+    return places;
+}
+
+// Pairs of different labels that make sense: segmentation reads tails and wings as limbs; the wings of a
+// figure that moves without wings are its arms; a head that was not found ends in the body.
+bool may_stand_for(Label drawn, Label reference, bool reference_has_wings) {
+    if (drawn == Label::limb) return reference == Label::tail || reference == Label::wing;
+    if (drawn == Label::wing) return reference == Label::limb && !reference_has_wings;
+    return drawn == Label::body && reference == Label::head;
 }
 
 // One end-effector problem: both figures' ends in clockwise order.
 struct Problem {
     std::vector<Label> labels_a, labels_b;
-    std::vector<Point2d> places_a, places_b; // in their figure's box
+    Places places_a, places_b;
+    std::vector<double> prominence; // of the drawing's ends, see below; 0: a prong
 };
+
+// Length of the part that an end finishes: along the skeleton to the nearest vertex of another label, to the
+// farthest vertex where there is none.
+double part_length(const SkeletonGraph& graph, int end) {
+    std::vector<double> reached(graph.vertices.size(), -1);
+    std::vector<char> done(graph.vertices.size());
+    reached[end] = 0;
+    double farthest = 0;
+    for (;;) {
+        int u = -1;
+        for (int i = 0; i < std::ssize(reached); ++i)
+            if (!done[i] && reached[i] >= 0 && (u < 0 || reached[i] < reached[u])) u = i;
+        if (u < 0) return farthest;
+        if (graph.vertices[u].label != graph.vertices[end].label) return reached[u];
+        done[u] = 1;
+        farthest = reached[u];
+        for (const SkeletonEdge& edge : graph.edges) {
+            if (edge.u != u && edge.v != u) continue;
+            const int v = edge.u == u ? edge.v : edge.u;
+            const double length = reached[u] + edge.length;
+            if (!done[v] && (reached[v] < 0 || length < reached[v])) reached[v] = length;
+        }
+    }
+}
+
+// The only edge of an end.
+const SkeletonEdge* edge_of(const SkeletonGraph& graph, int end) {
+    for (const SkeletonEdge& edge : graph.edges)
+        if (edge.u == end || edge.v == end) return &edge;
+    return nullptr;
+}
+
+// A finger or a feather: the limb forks late, and another end of the same fork is longer (or comes first).
+bool is_prong(const SkeletonGraph& graph, int end, double length) {
+    const SkeletonEdge* stem = edge_of(graph, end);
+    if (!stem) return false;
+    const int fork = stem->u == end ? stem->v : stem->u;
+    if (graph.vertices[fork].label != graph.vertices[end].label) return false;
+    if (stem->length > prong_share * (length - stem->length)) return false;
+    for (const SkeletonEdge& edge : graph.edges) {
+        if (edge.u != fork && edge.v != fork) continue;
+        const int other = edge.u == fork ? edge.v : edge.u;
+        const bool sibling = other != end && graph.vertices[other].end &&
+                             graph.vertices[other].label == graph.vertices[end].label;
+        if (sibling && (edge.length > stem->length || (edge.length == stem->length && other < end)))
+            return true;
+    }
+    return false;
+}
+
+// Length of the end's part, as a share of the longest part of that label. 0 for a prong, shortest first, as
+// long as the drawing has more ends of the label than the reference: legs that grow together are not fingers.
+std::vector<double> prominence_of(const SkeletonGraph& graph, const std::vector<int>& ends,
+                                  const std::vector<Label>& reference_labels) {
+    std::vector<double> lengths, prominence(ends.size(), 1);
+    for (const int e : ends) lengths.push_back(part_length(graph, e));
+    for (const Label label : {Label::head, Label::body, Label::limb, Label::tail, Label::wing}) {
+        std::vector<std::size_t> group;
+        for (std::size_t i = 0; i < ends.size(); ++i)
+            if (graph.vertices[ends[i]].label == label) group.push_back(i);
+        std::stable_sort(group.begin(), group.end(),
+                         [&lengths](std::size_t i, std::size_t k) { return lengths[i] < lengths[k]; });
+        long spare = std::ssize(group) - std::count(reference_labels.begin(), reference_labels.end(), label);
+        for (const std::size_t i : group) {
+            const double longest = lengths[group.back()];
+            prominence[i] = longest > 0 ? lengths[i] / longest : 1;
+            if (spare <= 0 || !is_prong(graph, ends[i], lengths[i])) continue;
+            prominence[i] = 0;
+            --spare;
+        }
+    }
+    return prominence;
+}
 
 Problem make_problem(const SkeletonGraph& a, const std::vector<int>& ends_a, const SkeletonGraph& b,
                      const std::vector<int>& ends_b) {
     Problem problem;
     for (const int e : ends_a) problem.labels_a.push_back(a.vertices[e].label);
     for (const int e : ends_b) problem.labels_b.push_back(b.vertices[e].label);
-    problem.places_a = box_positions(a, ends_a);
-    problem.places_b = box_positions(b, ends_b);
+    problem.places_a = places_of(a, ends_a);
+    problem.places_b = places_of(b, ends_b);
+    problem.prominence = prominence_of(a, ends_a, problem.labels_b);
     return problem;
 }
 
@@ -121,32 +225,29 @@ Matrix aware_costs(const Matrix& similarity, const Problem& problem, const std::
     double mean = 0;
     for (const auto& row : similarity)
         for (const double c : row) mean += c / static_cast<double>(similarity.size() * row.size());
+    const bool wings = std::count(problem.labels_b.begin(), problem.labels_b.end(), Label::wing) > 0;
     Matrix costs = similarity;
     for (std::size_t i = 0; i < costs.size(); ++i)
         for (std::size_t j = 0; j < costs[i].size(); ++j) {
-            const double d2 = squared_distance(problem.places_a[i], problem.places_b[j]);
+            const double d2 = squared_distance(problem.places_a.ends[i], problem.places_b.ends[j]);
             const bool same = problem.labels_a[i] == problem.labels_b[j];
             const bool matched =
                 std::count(match.pairs.begin(), match.pairs.end(), std::pair{ends_a[i], ends_b[j]}) > 0;
             double& cost = costs[i][j];
-            cost = options.path_weight * (mean > 0 ? cost / mean : 0) + options.position_weight * d2 -
+            cost = options.path_weight * (mean > 0 ? cost / mean : 0) + options.position_weight * d2 +
+                   options.prominence_weight * (1 - problem.prominence[i]) -
                    (matched ? options.prior_weight : 0) + (same ? 0 : options.label_penalty);
+            if (problem.prominence[i] == 0) cost = options.unmatched_cost;
             const bool reachable = d2 <= options.mixed_reach * options.mixed_reach;
-            if (!same && !(reachable && may_be_mixed_up(problem.labels_a[i], problem.labels_b[j])))
-                cost = forbidden;
+            if (!same && !(reachable && may_stand_for(problem.labels_a[i], problem.labels_b[j], wings)))
+                cost = options.unmatched_cost;
         }
     return costs;
 }
 
-// Clockwise angle from straight up around the centre of the figure's box, in [0, 2π).
-double bearing(Point2d place) {
-    const double angle = math::atan2(place.x - 0.5, 0.5 - place.y);
-    return angle < 0 ? angle + 2 * pi : angle;
-}
-
-std::vector<int> by_bearing(std::vector<int> items, const std::vector<Point2d>& places) {
+std::vector<int> by_bearing(std::vector<int> items, const Places& places) {
     std::stable_sort(items.begin(), items.end(),
-                     [&places](int a, int b) { return bearing(places[a]) < bearing(places[b]); });
+                     [&places](int a, int b) { return places.bearings[a] < places.bearings[b]; });
     return items;
 }
 
@@ -168,7 +269,8 @@ void uncross(Label label, const Problem& problem, std::vector<int>& partner) {
     for (std::size_t shift = 0; shift < n; ++shift) {
         double sum = 0;
         for (std::size_t k = 0; k < n; ++k)
-            sum += squared_distance(problem.places_a[rows[k]], problem.places_b[columns[(k + shift) % n]]);
+            sum += squared_distance(problem.places_a.ends[rows[k]],
+                                    problem.places_b.ends[columns[(k + shift) % n]]);
         if (shift == 0 || sum < best_sum) {
             best = shift;
             best_sum = sum;
@@ -209,7 +311,7 @@ Mapping map_end_effectors(const SkeletonGraph& graph, const Mask& silhouette,
     mapping.costs = aware_costs(mapping.costs, problem, mapping.ends, mapping.reference_ends, match, options);
     std::vector<int> partner = hungarian(mapping.costs);
     for (std::size_t i = 0; i < partner.size(); ++i)
-        if (partner[i] >= 0 && mapping.costs[i][partner[i]] >= forbidden) partner[i] = -1;
+        if (partner[i] >= 0 && mapping.costs[i][partner[i]] >= options.unmatched_cost) partner[i] = -1;
     for (const Label label : {Label::limb, Label::wing}) uncross(label, problem, partner);
     list_pairs(mapping, partner);
     return mapping;
