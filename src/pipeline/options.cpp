@@ -47,7 +47,13 @@ template <class Visitor> void visit_rigging(RigOptions& o, Visitor& visit) {
     visit("rigging.alpha", o.mapping.alpha, 0, 1000);
     visit("rigging.length_in_pixels", o.mapping.length_in_pixels);
     visit("rigging.osb", o.mapping.osb, {"icdm2007", "printed"});
+    visit("rigging.label_aware", o.mapping.label_aware);
+    visit("rigging.path_weight", o.mapping.path_weight, 0, 1000);
+    visit("rigging.position_weight", o.mapping.position_weight, 0, 1000);
+    visit("rigging.prominence_weight", o.mapping.prominence_weight, 0, 1000);
     visit("rigging.label_penalty", o.mapping.label_penalty, 0, 1000);
+    visit("rigging.mixed_reach", o.mapping.mixed_reach, 0, 2);
+    visit("rigging.unmatched_cost", o.mapping.unmatched_cost, 0, 1000);
     visit("rigging.prior_weight", o.mapping.prior_weight, 0, 1000);
     visit("rigging.cell", o.mesh.cell, 0, 512);
     visit("rigging.interpolate_distance", o.mesh.interpolate_distance);
@@ -140,8 +146,7 @@ Options make_preset(std::string_view name) {
     options.identification.use_evidence = false;       // ERRATA 10
     options.identification.use_ilp = ilp_available();  // ch. 5: solved by GLPK
     options.rigging.mapping.length_in_pixels = true;   // Eq. 4.9, ERRATA 15
-    options.rigging.mapping.label_penalty = 0;         // ERRATA 19
-    options.rigging.mapping.prior_weight = 0;          // ERRATA 19
+    options.rigging.mapping.label_aware = false;       // ERRATA 19
     options.rigging.mesh.interpolate_distance = false; // 4.6: a binary mask, so midpoints (ERRATA 21)
     options.rigging.thesis_weights = true;             // Algorithm 4.4
     options.rigging.limb_segments = 1;                 // one bone an end-effector
