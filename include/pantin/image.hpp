@@ -76,6 +76,10 @@ template <class T> Grid<T> crop(const Grid<T>& image, Box box) {
 
 // --- masks -----------------------------------------------------------------------------------------------
 
+// The mask with `margin` background pixels around it, and without.
+Mask pad(const Mask& mask, int margin);
+Mask unpad(const Mask& mask, int margin);
+
 // Morphology with a (2·radius+1)² square or with the discrete disc of that radius (all pixels whose centre is
 // at most `radius` away); outside is background. A closing does not lose pixels at the image's border.
 Mask dilate_square(const Mask& mask, int radius);

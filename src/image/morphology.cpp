@@ -48,6 +48,8 @@ Mask count_columns(const Mask& mask, int radius, int needed) {
     return out;
 }
 
+} // namespace
+
 Mask pad(const Mask& mask, int margin) {
     Mask out(mask.width() + 2 * margin, mask.height() + 2 * margin);
     for (int y = 0; y < mask.height(); ++y)
@@ -57,8 +59,6 @@ Mask pad(const Mask& mask, int margin) {
 Mask unpad(const Mask& mask, int margin) {
     return crop(mask, {margin, margin, mask.width() - 2 * margin, mask.height() - 2 * margin});
 }
-
-} // namespace
 
 Mask dilate_square(const Mask& mask, int radius) {
     return count_columns(count_rows(mask, radius, 1), radius, 1);

@@ -1,0 +1,21 @@
+// Internal: from the ink of one character to its filled silhouette.
+#pragma once
+
+#include "detection/rooms.hpp"
+#include "pantin/grid.hpp"
+
+namespace pantin {
+
+struct SilhouetteOptions {
+    RoomOptions rooms;
+    double stroke_width = 2.5; // lines that enclose nothing get this many pen widths
+};
+
+// Width of the pen in pixels: twice the median distance to paper along the middle of the strokes (≥ 1).
+double pen_width(const Mask& ink);
+
+// Ink, the rooms that it encloses (rooms.hpp), single strokes thickened, pieces joined by bridges: one
+// 8-connected shape without holes. Empty when `ink` is.
+Mask silhouette_of(const Mask& ink, const SilhouetteOptions& options = {});
+
+} // namespace pantin
