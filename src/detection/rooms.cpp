@@ -1,185 +1,252 @@
 // Rooms: background regions that open outlines enclose.
 //
-// Closing the ink with growing radii and filling asks, per radius, which background a disc of that radius
-// cannot reach from outside. All radii at once are the flooding of the distance map of the ink from its
-// maxima downwards: every maximum is a basin, two basins meet at a saddle, whose height is the half-width of
-// the narrowest place between them. A basin (or several that have met) is a room when the mouth through which
-// it meets the outside is narrow compared with its inradius: ratio = peak / saddle. The space between two
-// legs is as wide at its mouth as anywhere, ratio 1, and stays outside at every radius; a body whose outline
-// has a gap does not. The cut runs along the watershed line, which joins the two stroke ends beside the
-// mouth; nothing is dilated. Where the way out is a corridor (a leg without a foot), the cut is moved to its
-// outer end.
+// Closing the ink with a disc and filling asks which background the disc cannot reach from outside. The
+// Delaunay triangulation of the ink's border pixels answers it for all radii at once: a triangle is passed
+// through its edges, and the widest disc that passes an edge has half its length. Triangles flow towards
+// wider ones (an obtuse triangle through its longest edge, an acute one is a sink), which makes basins, each
+// the surroundings of a local maximum of the distance to ink, its inradius; basins meet at edges. Seen from
+// wide to narrow edges, a basin, or several that have met, is a room when the edge through which it meets the
+// outside, its mouth, is narrow compared with its inradius. The space between two legs is as wide at its
+// mouth as anywhere, ratio 1, and stays outside at every radius; a body whose outline has a gap does not. The
+// cut is the straight edge between the two stroke ends; nothing is dilated. Where the way out is a corridor
+// (a leg without a foot), the cut is moved to its outer end.
 //
-// Based on: F. Meyer, Topographic distance and watershed lines, Signal Processing 38, 1994 (flooding by
-// priority); S. Beucher, C. Lantuéjoul, 1979 (watershed of the distance function); thesis 4.2 (gaps in
-// contours).
+// Based on: H. Edelsbrunner, M. Facello, J. Liang: On the definition and the construction of pockets in
+// macromolecules. Discrete Applied Mathematics 88, 1998 (flow on Delaunay triangles, pockets and their
+// mouths). It takes the place of the closing with growing radii that thesis 4.2 hints at ("dilating the input
+// … only allows to close small holes").
 #include "detection/rooms.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-#include "image/distance.hpp"
+#include "pantin/geometry.hpp"
 #include "pantin/image.hpp"
 
 namespace pantin {
 
 namespace {
 
+constexpr int longest_wall =
+    2; // squared length of the edge between 8-adjacent ink pixels, which nothing passes
+
+// --- triangles to basins
+// ----------------------------------------------------------------------------------------
+
 struct Saddle {
-    int a = 0, b = 0; // basins
-    int height = 0;   // squared distance
+    int a = 0, b = 0; // basins; 0 is the outside
+    int squared = 0;  // length of the edge between them
 };
-
 struct Basins {
-    Grid<int> ids;          // −1 on ink
-    std::vector<int> peaks; // squared distance
-    std::vector<char> at_border;
-    std::vector<Saddle> saddles; // descending by height
+    std::vector<int> of_triangle;
+    std::vector<double> squared_inradius; // largest circumradius of an acute triangle
+    std::vector<double> area;
+    std::vector<Saddle> saddles; // from wide to narrow
 };
 
-// Background pixels from the farthest to the nearest to ink, ties in raster order (counting sort).
-std::vector<int> descending_pixels(const Grid<int>& distance) {
-    const int highest = *std::max_element(distance.begin(), distance.end());
-    std::vector<int> start(static_cast<std::size_t>(highest) + 2, 0);
-    for (int d : distance) ++start[highest - d + 1];
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    std::vector<int> order(distance.size());
-    for (std::size_t i = 0; i < distance.size(); ++i)
-        order[start[highest - distance.data()[i]]++] = static_cast<int>(i);
-    while (!order.empty() && distance.data()[order.back()] == 0) order.pop_back();
-    return order;
+std::vector<Point2i> border_pixels(const Mask& ink) {
+    std::vector<Point2i> points;
+    for (int y = 0; y < ink.height(); ++y)
+        for (int x = 0; x < ink.width(); ++x)
+            if (ink(x, y) && !(ink.value_or(x - 1, y, 0) && ink.value_or(x + 1, y, 0) &&
+                               ink.value_or(x, y - 1, 0) && ink.value_or(x, y + 1, 0)))
+                points.push_back({x, y});
+    return points;
 }
 
-// Flooding from the maxima; background is 4-connected. A pixel joins its highest neighbour's basin.
-Basins flood(const Grid<int>& distance) {
-    const int w = distance.width(), h = distance.height();
-    Basins basins;
-    basins.ids = Grid<int>(w, h, -1);
-    for (int pixel : descending_pixels(distance)) {
-        const int x = pixel % w, y = pixel / w;
-        const Point2i neighbours[4] = {{x, y - 1}, {x - 1, y}, {x + 1, y}, {x, y + 1}};
-        int id = -1, highest = -1;
-        for (Point2i n : neighbours) {
-            if (!distance.contains(n.x, n.y) || basins.ids(n.x, n.y) < 0) continue;
-            if (distance(n.x, n.y) > highest) highest = distance(n.x, n.y), id = basins.ids(n.x, n.y);
-        }
-        if (id < 0) {
-            id = static_cast<int>(basins.peaks.size());
-            basins.peaks.push_back(distance(x, y));
-            basins.at_border.push_back(0);
-        }
-        basins.ids(x, y) = id;
-        if (x == 0 || y == 0 || x == w - 1 || y == h - 1) basins.at_border[id] = 1;
-        for (Point2i n : neighbours) {
-            if (!distance.contains(n.x, n.y)) continue;
-            const int other = basins.ids(n.x, n.y);
-            if (other >= 0 && other != id) basins.saddles.push_back({id, other, distance(x, y)});
-        }
+int squared_distance(Point2i a, Point2i b) { return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y); }
+
+// Lengths (squared, of the edge opposite each corner) and area of a triangle.
+struct Shape {
+    int squared[3];
+    std::int64_t double_area;
+    // The corner with an obtuse angle, −1 when there is none.
+    int obtuse_corner() const {
+        for (int i = 0; i < 3; ++i)
+            if (squared[i] > squared[(i + 1) % 3] + squared[(i + 2) % 3]) return i;
+        return -1;
     }
-    return basins;
+    double squared_circumradius() const { // (abc)² / (4·area)²
+        const double area = static_cast<double>(double_area);
+        return 1.0 * squared[0] * squared[1] * squared[2] / (4 * area * area);
+    }
+};
+Shape shape_of(const std::vector<Point2i>& points, const std::array<int, 3>& corners) {
+    const Point2i a = points[corners[0]], b = points[corners[1]], c = points[corners[2]];
+    const std::int64_t twice = std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{b.y - a.y} * (c.x - a.x);
+    return {{squared_distance(b, c), squared_distance(c, a), squared_distance(a, b)}, std::abs(twice)};
 }
 
-// Sets of basins that have met.
-class BasinSets {
+// Sets of triangles or basins; element 0 is the outside and stays the root of its set.
+class DisjointSets {
 public:
-    explicit BasinSets(const Basins& basins)
-        : parent_(basins.peaks.size()), peak_(basins.peaks), outside_(basins.at_border),
-          room_(basins.peaks.size(), 0) {
+    explicit DisjointSets(std::size_t count) : parent_(count) {
         std::iota(parent_.begin(), parent_.end(), 0);
     }
     int find(int i) {
         while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
         return i;
     }
-    void unite(int a, int b) {
-        const int low = std::min(a, b), high = std::max(a, b);
-        parent_[high] = low;
-        peak_[low] = std::max(peak_[low], peak_[high]);
-        outside_[low] |= outside_[high];
-        room_[low] |= room_[high];
+    int unite(int a, int b) {
+        a = find(a), b = find(b);
+        return parent_[std::max(a, b)] = std::min(a, b);
     }
-    int peak(int root) const { return peak_[root]; }
-    bool outside(int root) const { return outside_[root] != 0; }
-    bool room(int root) const { return room_[root] != 0; }
-    void make_room(int root) { room_[root] = 1; }
 
 private:
-    std::vector<int> parent_, peak_;
-    std::vector<char> outside_, room_;
+    std::vector<int> parent_;
 };
 
-// Which basins are outside once every room has been cut off at its mouths.
-std::vector<char> outside_basins(const Basins& basins, double ratio, double max_mouth) {
-    BasinSets sets(basins);
-    for (const Saddle& saddle : basins.saddles) {
-        int inner = sets.find(saddle.a), outer = sets.find(saddle.b);
-        if (inner == outer) continue;
-        if (sets.outside(inner)) std::swap(inner, outer);
-        if (!sets.outside(outer) || sets.outside(inner)) { // both inside or both outside
-            sets.unite(inner, outer);
-            continue;
-        }
-        if (sets.room(inner)) continue; // another mouth of the room, narrower than the first
-        const double mouth = saddle.height;
-        if (mouth <= max_mouth * max_mouth && sets.peak(inner) >= ratio * ratio * mouth)
-            sets.make_room(inner);
-        else
-            sets.unite(inner, outer);
+// Obtuse triangles flow through their longest edge, unless it is a wall; beyond the convex hull is the
+// outside.
+Basins make_basins(const std::vector<Point2i>& points, const Delaunay& mesh) {
+    const int count = static_cast<int>(mesh.triangles.size());
+    std::vector<Shape> shapes;
+    for (const auto& corners : mesh.triangles) shapes.push_back(shape_of(points, corners));
+    DisjointSets sets(static_cast<std::size_t>(count) + 1); // triangle t is element t + 1
+    for (int t = 0; t < count; ++t) {
+        const int corner = shapes[t].obtuse_corner();
+        if (corner >= 0 && shapes[t].squared[corner] > longest_wall)
+            sets.unite(t + 1, mesh.neighbours[t][corner] + 1);
     }
-    std::vector<char> outside(basins.peaks.size());
-    for (std::size_t i = 0; i < outside.size(); ++i)
-        outside[i] = sets.outside(sets.find(static_cast<int>(i)));
-    return outside;
+    Basins basins;
+    std::vector<int> number(static_cast<std::size_t>(count) + 1, -1); // of the basin with that root
+    const auto basin_of = [&](int element) {
+        int& basin = number[sets.find(element)];
+        if (basin < 0) {
+            basin = static_cast<int>(basins.area.size());
+            basins.area.push_back(0);
+            basins.squared_inradius.push_back(0);
+        }
+        return basin;
+    };
+    basin_of(0);
+    for (int t = 0; t < count; ++t) {
+        const int basin = basin_of(t + 1);
+        basins.of_triangle.push_back(basin);
+        basins.area[basin] += 0.5 * static_cast<double>(shapes[t].double_area);
+        if (shapes[t].obtuse_corner() < 0)
+            basins.squared_inradius[basin] =
+                std::max(basins.squared_inradius[basin], shapes[t].squared_circumradius());
+    }
+    for (int t = 0; t < count; ++t) {
+        for (int i = 0; i < 3; ++i) {
+            const int neighbour = mesh.neighbours[t][i], squared = shapes[t].squared[i];
+            if (neighbour >= t || squared <= longest_wall) continue; // each edge once
+            const int a = basins.of_triangle[t], b = neighbour < 0 ? 0 : basins.of_triangle[neighbour];
+            if (a != b) basins.saddles.push_back({a, b, squared});
+        }
+    }
+    std::stable_sort(basins.saddles.begin(), basins.saddles.end(),
+                     [](const Saddle& p, const Saddle& q) { return p.squared > q.squared; });
+    return basins;
 }
 
-// Moves each cut to the outer end of its corridor: an outside basin that is hardly wider than the place where
-// it meets a room belongs to the room. Repeated until nothing changes.
-void extend_along_corridors(const Basins& basins, double corridor, std::vector<char>& outside) {
-    bool changed = true;
-    while (changed) {
-        changed = false;
-        for (const Saddle& saddle : basins.saddles) {
-            if (outside[saddle.a] == outside[saddle.b]) continue;
-            const int outer = outside[saddle.a] ? saddle.a : saddle.b;
-            if (basins.at_border[outer] || basins.peaks[outer] > corridor * corridor * saddle.height)
-                continue;
-            outside[outer] = 0;
-            changed = true;
+// --- basins to rooms
+// ----------------------------------------------------------------------------------------------
+
+class RoomFinder {
+public:
+    RoomFinder(const Basins& basins, const RoomOptions& options, double hull_area, double diagonal)
+        : basins_(basins), options_(options), hull_area_(hull_area),
+          widest_(2 * options.max_mouth * diagonal), sets_(basins.area.size()),
+          squared_inradius_(basins.squared_inradius), area_(basins.area), room_(basins.area.size(), 0) {}
+
+    // Which basins are outside once every room is cut off at its mouths.
+    std::vector<char> outside() {
+        for (const Saddle& saddle : basins_.saddles) meet(saddle);
+        std::vector<char> outside(basins_.area.size());
+        for (std::size_t i = 0; i < outside.size(); ++i) outside[i] = sets_.find(static_cast<int>(i)) == 0;
+        extend_along_corridors(outside);
+        return outside;
+    }
+
+private:
+    bool is_room(int set, int squared_mouth) const {
+        if (squared_mouth > widest_ * widest_) return false;
+        const double share = std::min(1.0, area_[set] / (options_.large_share * hull_area_));
+        const double ratio = options_.small_ratio + share * (options_.large_ratio - options_.small_ratio);
+        return 4 * squared_inradius_[set] >= ratio * ratio * squared_mouth;
+    }
+
+    void meet(const Saddle& saddle) {
+        const int a = sets_.find(saddle.a), b = sets_.find(saddle.b);
+        if (a == b) return;
+        const int low = std::min(a, b), high = std::max(a, b);
+        if (low == 0) {
+            if (room_[high]) return; // another mouth of the room, narrower than the first
+            if (is_room(high, saddle.squared)) {
+                room_[high] = 1;
+                return;
+            }
+        }
+        sets_.unite(low, high);
+        squared_inradius_[low] = std::max(squared_inradius_[low], squared_inradius_[high]);
+        area_[low] += area_[high];
+        room_[low] |= room_[high];
+    }
+
+    // Moves each cut to the outer end of its corridor: an outside basin that is hardly wider than the mouth
+    // through which it meets a room belongs to the room. Repeated until nothing changes.
+    void extend_along_corridors(std::vector<char>& outside) const {
+        for (bool changed = true; changed;) {
+            changed = false;
+            for (const Saddle& saddle : basins_.saddles) {
+                if (outside[saddle.a] == outside[saddle.b]) continue;
+                const int outer = outside[saddle.a] ? saddle.a : saddle.b;
+                const double limit = options_.corridor * options_.corridor * saddle.squared;
+                if (outer == 0 || 4 * basins_.squared_inradius[outer] > limit) continue;
+                outside[outer] = 0;
+                changed = true;
+            }
+        }
+    }
+
+    const Basins& basins_;
+    const RoomOptions& options_;
+    double hull_area_, widest_;
+    DisjointSets sets_;
+    std::vector<double> squared_inradius_, area_; // of the sets
+    std::vector<char> room_;
+};
+
+// Sets the pixels inside or on the border of a triangle.
+void fill_triangle(Mask& mask, Point2i a, Point2i b, Point2i c) {
+    for (int y = std::min({a.y, b.y, c.y}); y <= std::max({a.y, b.y, c.y}); ++y) {
+        for (int x = std::min({a.x, b.x, c.x}); x <= std::max({a.x, b.x, c.x}); ++x) {
+            const int sides[3] = {orientation(a, b, {x, y}), orientation(b, c, {x, y}),
+                                  orientation(c, a, {x, y})};
+            const bool left = sides[0] >= 0 && sides[1] >= 0 && sides[2] >= 0;
+            const bool right = sides[0] <= 0 && sides[1] <= 0 && sides[2] <= 0;
+            if (left || right) mask(x, y) = 1;
         }
     }
 }
 
-double diagonal_of(const Mask& ink) {
-    int low_x = ink.width(), low_y = ink.height(), high_x = -1, high_y = -1;
-    for (int y = 0; y < ink.height(); ++y) {
-        for (int x = 0; x < ink.width(); ++x) {
-            if (!ink(x, y)) continue;
-            low_x = std::min(low_x, x), high_x = std::max(high_x, x);
-            low_y = std::min(low_y, y), high_y = std::max(high_y, y);
-        }
+double box_diagonal(const std::vector<Point2i>& points) {
+    Point2i low = points.front(), high = points.front();
+    for (Point2i p : points) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
-    return high_x < 0 ? 0 : distance({1.0 * low_x, 1.0 * low_y}, {high_x + 1.0, high_y + 1.0});
+    return distance(to_double(low), to_double({high.x + 1, high.y + 1}));
 }
 
 } // namespace
 
 Mask find_rooms(const Mask& ink, const RoomOptions& options) {
-    const double diagonal = diagonal_of(ink);
-    if (diagonal == 0) return Mask(ink.width(), ink.height());
-    // Paper around the picture, so that all of the outside is one region wider than any mouth.
-    const int margin = 2 + static_cast<int>(options.max_mouth * diagonal);
-    const Mask padded = pad(ink, margin);
-    const Basins basins = flood(squared_distance_to(padded, 1, false));
-    std::vector<char> outside = outside_basins(basins, options.mouth_ratio, options.max_mouth * diagonal);
-    extend_along_corridors(basins, options.corridor, outside);
-    Mask filled = padded;
-    for (std::size_t i = 0; i < filled.size(); ++i) {
-        const int id = basins.ids.data()[i];
-        if (id >= 0 && !outside[id]) filled.data()[i] = 1;
+    Mask rooms(ink.width(), ink.height());
+    const std::vector<Point2i> points = border_pixels(ink);
+    const Delaunay mesh = delaunay(points);
+    if (mesh.triangles.empty()) return rooms;
+    const Basins basins = make_basins(points, mesh);
+    const double hull_area = std::accumulate(basins.area.begin(), basins.area.end(), 0.0);
+    const std::vector<char> outside = RoomFinder(basins, options, hull_area, box_diagonal(points)).outside();
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        if (!outside[basins.of_triangle[t]]) fill_triangle(rooms, points[a], points[b], points[c]);
     }
-    filled = unpad(fill_holes(filled), margin); // background that the rooms cut off
-    for (std::size_t i = 0; i < filled.size(); ++i) filled.data()[i] &= ink.data()[i] ^ 1;
-    return filled;
+    for (std::size_t i = 0; i < rooms.size(); ++i) rooms.data()[i] &= ink.data()[i] ^ 1;
+    return rooms;
 }
 
 } // namespace pantin

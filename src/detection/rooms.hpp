@@ -5,10 +5,15 @@
 
 namespace pantin {
 
+// A room is accepted when inradius / half-width of its mouth reaches a ratio that falls with the room's area:
+// a small one must be clearly wider than its mouth, the one that is most of the character may have a wide
+// gap.
 struct RoomOptions {
-    double mouth_ratio = 1.35; // inradius of a room over the half-width of its widest mouth, at least
-    double max_mouth = 0.09;   // half-width of a mouth over the diagonal of the ink's box, at most
-    double corridor = 1.4;     // a corridor leads on while it is no wider than this times its narrowest place
+    double small_ratio = 1.5; // for a room of no area
+    double large_ratio = 1.1; // for one of at least `large_share`
+    double large_share = 0.4; // of the convex hull's area
+    double max_mouth = 0.12;  // half-width of a mouth over the diagonal of the ink's box, at most
+    double corridor = 1.4;    // a corridor leads on while it is no wider than this times its narrowest place
 };
 
 // The background that the ink encloses, wholly or but for narrow mouths. 1 = interior, ink itself is 0.

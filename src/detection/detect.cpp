@@ -1,0 +1,153 @@
+// Step 1 of the pipeline (thesis 4.2): the contour-based detector.
+// Based on: S. Suzuki, K. Abe: Topological structural analysis of digitized binary images by border
+// following. CVGIP 30, 1985. The page is thresholded against its local mean, pieces of ink are grouped to
+// characters (grouping.cpp), and each character's open outline is closed (rooms.cpp, silhouette.cpp).
+#include "pantin/detection.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "detection/grouping.hpp"
+#include "detection/silhouette.hpp"
+#include "pantin/image.hpp"
+
+namespace pantin {
+
+namespace {
+
+// Light drawings on dark ground (a blackboard, a dark screen): when nearly all of the page is dark, it is
+// inverted.
+bool is_dark_page(const GreyImage& grey) {
+    const auto dark = std::count_if(grey.begin(), grey.end(), [](std::uint8_t v) { return v < 100; });
+    return static_cast<double>(dark) > 0.8 * static_cast<double>(grey.size());
+}
+
+RgbImage inverted(RgbImage page) {
+    for (Rgb8& p : page)
+        p = {static_cast<std::uint8_t>(255 - p.r), static_cast<std::uint8_t>(255 - p.g),
+             static_cast<std::uint8_t>(255 - p.b)};
+    return page;
+}
+
+// Strokes: darker than the local mean by `ink_contrast` and not near-white; filled areas: at least half as
+// dark as the darkest strokes. Both on the page with its paper evened out (ink_darkness), so shadows and
+// tints are gone.
+Mask find_ink(const RgbImage& page, const DetectionOptions& options) {
+    const Grid<float> darkness = ink_darkness(is_dark_page(greyscale(page)) ? inverted(page) : page);
+    GreyImage even(page.width(), page.height());
+    for (std::size_t i = 0; i < even.size(); ++i)
+        even.data()[i] = static_cast<std::uint8_t>(255 - static_cast<int>(255 * darkness.data()[i] + 0.5f));
+    const int radius = std::max(8, std::max(page.width(), page.height()) / options.threshold_windows);
+    Mask ink = adaptive_threshold(even, radius, static_cast<int>(255 * options.ink_contrast));
+    const int lightest = 255 - static_cast<int>(255 * options.lightest_stroke);
+    const int filled = 255 - static_cast<int>(255 * options.filled_darkness);
+    for (std::size_t i = 0; i < ink.size(); ++i) {
+        const int value = even.data()[i];
+        ink.data()[i] = value < filled || (ink.data()[i] && value < lightest);
+    }
+    return ink;
+}
+
+// One pixel per block of `factor`² pixels, ink where any of them is: thin lines survive.
+Mask reduce(const Mask& ink, int factor) {
+    if (factor == 1) return ink;
+    Mask small((ink.width() + factor - 1) / factor, (ink.height() + factor - 1) / factor);
+    for (int y = 0; y < ink.height(); ++y)
+        for (int x = 0; x < ink.width(); ++x) small(x / factor, y / factor) |= ink(x, y);
+    return small;
+}
+
+// The group's box in page pixels with its margin, cut at the page's border.
+Box page_box(const Box& box, int factor, const RgbImage& page) {
+    const int longer = factor * std::max(box.width, box.height);
+    const int margin = std::max(4, (longer + 25) / 50);
+    const int left = std::max(0, factor * box.x - margin), top = std::max(0, factor * box.y - margin);
+    const int right = std::min(page.width(), factor * (box.x + box.width) + margin);
+    const int bottom = std::min(page.height(), factor * (box.y + box.height) + margin);
+    return {left, top, right - left, bottom - top};
+}
+
+// The ink of one group inside its box, at working size. A working pixel is ink when a third of it is.
+Mask working_ink(const Mask& ink, const Grouping& grouping, int group, int factor, const Box& box,
+                 double scale) {
+    Mask own(box.width, box.height);
+    for (int y = 0; y < box.height; ++y)
+        for (int x = 0; x < box.width; ++x)
+            own(x, y) = ink(box.x + x, box.y + y) &&
+                        grouping.groups((box.x + x) / factor, (box.y + y) / factor) == group;
+    if (scale == 1) return own;
+    Grid<float> cover(box.width, box.height);
+    std::copy(own.begin(), own.end(), cover.begin());
+    const auto side = [&](int pixels) {
+        return std::max(1, static_cast<int>(std::floor(pixels * scale + 0.5)));
+    };
+    cover = resize(cover, side(box.width), side(box.height));
+    Mask small(cover.width(), cover.height());
+    for (std::size_t i = 0; i < small.size(); ++i) small.data()[i] = cover.data()[i] >= 1.0f / 3;
+    return small;
+}
+
+// Share of the silhouette's border that lies within two pen widths of ink.
+double inked_share(const Mask& silhouette, const Mask& ink) {
+    const Mask near = dilate_disc(ink, 2 * pen_width(ink));
+    int border = 0, inked = 0;
+    for (int y = 0; y < silhouette.height(); ++y) {
+        for (int x = 0; x < silhouette.width(); ++x) {
+            if (!silhouette(x, y)) continue;
+            if (silhouette.value_or(x - 1, y, 0) && silhouette.value_or(x + 1, y, 0) &&
+                silhouette.value_or(x, y - 1, 0) && silhouette.value_or(x, y + 1, 0))
+                continue;
+            ++border;
+            inked += near(x, y);
+        }
+    }
+    return border == 0 ? 0 : static_cast<double>(inked) / border;
+}
+
+// Left to right, then top to bottom, by box centre.
+bool reads_before(const DetectedCharacter& a, const DetectedCharacter& b) {
+    const int ax = 2 * a.box.x + a.box.width, bx = 2 * b.box.x + b.box.width;
+    const int ay = 2 * a.box.y + a.box.height, by = 2 * b.box.y + b.box.height;
+    return ax != bx ? ax < bx : ay < by;
+}
+
+// The groups to keep, largest boxes first.
+std::vector<int> largest_groups(const Grouping& grouping, int count) {
+    std::vector<int> order(grouping.boxes.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+    const auto area = [&](int i) { return std::int64_t{grouping.boxes[i].width} * grouping.boxes[i].height; };
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return area(a) > area(b); });
+    if (order.size() > static_cast<std::size_t>(count)) order.resize(static_cast<std::size_t>(count));
+    return order;
+}
+
+} // namespace
+
+Detection detect(const RgbImage& page, const DetectionOptions& options) {
+    Detection result;
+    result.width = page.width();
+    result.height = page.height();
+    result.ink = find_ink(page, options);
+    const int factor =
+        (std::max(page.width(), page.height()) + options.grouping_size - 1) / options.grouping_size;
+    const Grouping grouping = group_ink(reduce(result.ink, factor), options);
+    for (int index : largest_groups(grouping, options.max_characters)) {
+        DetectedCharacter character;
+        character.box = page_box(grouping.boxes[index], factor, page);
+        const int longer = std::max(character.box.width, character.box.height);
+        if (longer < options.min_side) continue;
+        character.scale = std::min(1.0, static_cast<double>(options.working_size) / longer);
+        const Mask ink = working_ink(result.ink, grouping, index + 1, factor, character.box, character.scale);
+        character.mask = silhouette_of(ink);
+        if (std::none_of(character.mask.begin(), character.mask.end(), [](std::uint8_t v) { return v != 0; }))
+            continue;
+        character.score = inked_share(character.mask, ink);
+        character.drawing = crop(page, character.box);
+        result.characters.push_back(std::move(character));
+    }
+    if (result.characters.empty()) throw Error(ErrorKind::no_character, "no character found on the page");
+    std::stable_sort(result.characters.begin(), result.characters.end(), reads_before);
+    return result;
+}
+
+} // namespace pantin

@@ -1,0 +1,20 @@
+// Internal: which connected pieces of ink make one character.
+#pragma once
+
+#include <vector>
+
+#include "pantin/detection.hpp"
+#include "pantin/grid.hpp"
+#include "pantin/point.hpp"
+
+namespace pantin {
+
+struct Grouping {
+    Grid<int> groups;       // per pixel: 0, or number of the group (1, 2, …) that its ink belongs to
+    std::vector<Box> boxes; // per group, of its ink
+};
+
+// Rules in grouping.cpp. `ink`: the page, possibly reduced.
+Grouping group_ink(const Mask& ink, const DetectionOptions& options);
+
+} // namespace pantin
