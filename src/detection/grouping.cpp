@@ -72,9 +72,7 @@ bool is_dust(const Piece& piece, int w, int h) {
 // The edge of the sheet or the table around it: all ink near the page's border, or much of the border
 // covered, or three sides of the page touched.
 bool is_page_edge(const Piece& piece, int w, int h) {
-    const Box& box = piece.box;
-    const int sides = (box.x == 0) + (box.y == 0) + (box.x + box.width == w) + (box.y + box.height == h);
-    return piece.page_rim >= 0.95 * piece.ink || piece.border > 0.15 * 2 * (w + h) || sides >= 3;
+    return piece.page_rim >= 0.95 * piece.ink || piece.border > 0.1 * 2 * (w + h);
 }
 // A ruled line: flat, and across most of the page.
 bool is_ruled_line(const Piece& piece, int w, int h) {

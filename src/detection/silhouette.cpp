@@ -99,9 +99,10 @@ void join_pieces(Mask& shape, double width) {
 double pen_width(const Mask& ink) {
     std::vector<int> ridge = ridge_distances(ink);
     if (ridge.empty()) return 1;
-    const auto median = ridge.begin() + static_cast<std::ptrdiff_t>(ridge.size() / 2);
-    std::nth_element(ridge.begin(), median, ridge.end());
-    return std::max(1.0, 2 * std::sqrt(static_cast<double>(*median)) - 1);
+    const auto quartile = ridge.begin() + static_cast<std::ptrdiff_t>(ridge.size() / 4);
+    std::nth_element(ridge.begin(), quartile, ridge.end());
+    const double widest = 0.025 * (ink.width() + ink.height()) / 2;
+    return std::clamp(2 * std::sqrt(static_cast<double>(*quartile)) - 1, 1.0, std::max(1.0, widest));
 }
 
 Mask silhouette_of(const Mask& ink, const SilhouetteOptions& options) {
