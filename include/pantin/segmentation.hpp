@@ -21,12 +21,15 @@ inline constexpr std::array<const char*, 8> pose_names = {"E", "NE", "N", "NW", 
 // 1 − p(background), at working size; lengths are shares of the working crop's longer side, areas shares of
 // the silhouette's area.
 //
-// 1. Fill: outside the detected mask a pixel is added where p ≥ fill_probability: open outlines that the
-//    detector left hollow. Additions thinner than 2·tolerance are rims along the outline and not made, unless
-//    they close a gap between two strokes.
-// 2. Cut: a region of the mask without ink where p < keep_probability is removed, when it is thicker than
+// 1. Cut: a region of the mask without ink where p < keep_probability is removed, when it is thicker than
 //    2·tolerance and open to the outside (what the detector's closing bridged: the space between two legs),
-//    or when its mean p is below hole_probability (the space between arm and body). Inked pixels stay.
+//    or when it is closed, at most hole_cut_share of the mask and its mean p below hole_probability (the
+//    space between arm and body). Inked pixels stay.
+// 2. Fill: a region outside the mask where p ≥ fill_probability is added, when it is thicker than 2·tolerance
+//    (else it is a rim along the outline, or closes a gap between two strokes, which is taken) and at least
+//    enclosed_share of its border lies along the mask: open outlines that the detector left hollow. Were the
+//    result still hollow, less than hollow_share of what mask and network see together, half that enclosure,
+//    and then any, is enough.
 // 3. One piece: parts that are not connected are joined to the largest by a bridge as wide as 2·tolerance
 // when
 //    they are large and near enough, else dropped. Small holes are filled, jagged pixels of the outline
@@ -35,10 +38,13 @@ struct SilhouetteOptions {
     double fill_probability = 0.5;
     double keep_probability = 0.3;
     double hole_probability = 0.1;
+    double hole_cut_share = 0.1;
+    double enclosed_share = 0.6;
+    double hollow_share = 0.6;
     double ink_darkness = 0.35; // of an inked pixel, at working size
     double tolerance = 0.01;    // length
     double piece_share = 0.01;  // least area of a piece that is joined
-    double bridge_length = 0.06;
+    double bridge_length = 0.15;
     double hole_share = 0.01; // largest area of a hole that is filled
     // Labels of the silhouette's pixels: the most probable of the five parts, the first among equals. Where
     // the five together have less than part_probability: the label of the nearest pixel where they have more.

@@ -24,25 +24,24 @@ void spread(LabelMap& labels, const Mask& silhouette, const Mask& trusted) {
             labels.data()[i] = labels.data()[nearest.data()[i]];
 }
 
-// Trusts no piece of a label that is smaller than `least`; at least the largest piece of all is kept.
+// Trusts no piece of a label that is smaller than `least`; the largest pieces of all are kept.
 void remove_specks(LabelMap& labels, const Mask& silhouette, double least) {
-    Mask trusted(labels.width(), labels.height());
+    std::vector<Components> pieces; // per part
     int largest = 0;
-    for (int pass = 0; pass < 2; ++pass) {
-        for (int label = 1; label < label_count; ++label) {
-            Mask part(labels.width(), labels.height());
-            for (std::size_t i = 0; i < labels.size(); ++i) part.data()[i] = labels.data()[i] == label;
-            const Components pieces = connected_components(part);
-            for (const Component& piece : pieces.list) largest = std::max(largest, piece.area);
-            if (pass == 0) continue;
-            for (std::size_t i = 0; i < labels.size(); ++i) {
-                const int id = pieces.ids.data()[i];
-                if (id == 0) continue;
-                const int size = pieces.list[static_cast<std::size_t>(id) - 1].area;
-                trusted.data()[i] = size >= least || size == largest;
-            }
-        }
+    for (int label = 1; label < label_count; ++label) {
+        Mask part(labels.width(), labels.height());
+        for (std::size_t i = 0; i < labels.size(); ++i) part.data()[i] = labels.data()[i] == label;
+        pieces.push_back(connected_components(part));
+        for (const Component& piece : pieces.back().list) largest = std::max(largest, piece.area);
     }
+    Mask trusted(labels.width(), labels.height());
+    for (const Components& part : pieces)
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            const int id = part.ids.data()[i];
+            if (id == 0) continue;
+            const int area = part.list[static_cast<std::size_t>(id) - 1].area;
+            trusted.data()[i] = area >= least || area == largest;
+        }
     spread(labels, silhouette, trusted);
 }
 

@@ -17,20 +17,55 @@ template <class Condition> Mask where(const Mask& like, const Condition& conditi
     return out;
 }
 
-Mask unite(const Mask& a, const Mask& b) {
-    return where(a, [&](int x, int y) { return a(x, y) || b(x, y); });
-}
-
 long area(const Mask& mask) { return std::count(mask.begin(), mask.end(), 1); }
 
 // --- fill ------------------------------------------------------------------------------------------------
 
-Mask fill_open_outlines(const Mask& mask, const Grid<float>& foreground, double probability, double radius) {
-    const Mask likely = where(mask, [&](int x, int y) { return foreground(x, y) >= probability; });
-    const Mask missing = where(mask, [&](int x, int y) { return likely(x, y) && !mask(x, y); });
-    const Mask filled = unite(mask, open_disc(missing, radius));
+// The share of a component's border that lies along the mask: pairs of 4-neighbours, one in, one out.
+double enclosed_share(const Components& components, const Component& component, const Mask& mask) {
+    constexpr int dx[] = {1, 0, -1, 0}, dy[] = {0, 1, 0, -1};
+    long border = 0, along = 0;
+    const Box& box = component.box;
+    for (int y = box.y; y < box.y + box.height; ++y)
+        for (int x = box.x; x < box.x + box.width; ++x) {
+            if (components.ids(x, y) != component.id) continue;
+            for (int i = 0; i < 4; ++i) {
+                if (components.ids.value_or(x + dx[i], y + dy[i], 0) == component.id) continue;
+                ++border;
+                along += mask.value_or(x + dx[i], y + dy[i], 0);
+            }
+        }
+    return static_cast<double>(along) / static_cast<double>(border);
+}
+
+// The mask with the regions that are at least that enclosed, and gaps between strokes.
+Mask fill_enclosed(const Mask& mask, const Mask& likely, const Components& regions,
+                   const std::vector<double>& shares, double least, double radius) {
+    const Mask filled = where(mask, [&](int x, int y) {
+        return mask(x, y) ||
+               (regions.ids(x, y) && shares[static_cast<std::size_t>(regions.ids(x, y)) - 1] >= least);
+    });
     const Mask closed = close_disc(filled, radius);
     return where(mask, [&](int x, int y) { return filled(x, y) || (closed(x, y) && likely(x, y)); });
+}
+
+Mask fill_open_outlines(const Mask& mask, const Grid<float>& foreground, const SilhouetteOptions& options,
+                        double radius) {
+    const Mask likely =
+        where(mask, [&](int x, int y) { return foreground(x, y) >= options.fill_probability; });
+    const Mask all = where(mask, [&](int x, int y) { return likely(x, y) || mask(x, y); });
+    const Mask missing = where(mask, [&](int x, int y) { return likely(x, y) && !mask(x, y); });
+    const Components regions = connected_components(open_disc(missing, radius));
+    const Mask near = dilate_disc(mask, radius); // the opening rounds off the region's corners
+    std::vector<double> shares;
+    for (const Component& region : regions.list) shares.push_back(enclosed_share(regions, region, near));
+
+    const double expected = options.hollow_share * static_cast<double>(area(all));
+    for (const double least : {options.enclosed_share, options.enclosed_share / 2}) {
+        const Mask filled = fill_enclosed(mask, likely, regions, shares, least, radius);
+        if (static_cast<double>(area(filled)) >= expected) return filled;
+    }
+    return fill_enclosed(mask, likely, regions, shares, 0, radius);
 }
 
 // --- cut -------------------------------------------------------------------------------------------------
@@ -65,14 +100,15 @@ Mask cut_bridged_gaps(const Mask& mask, const Grid<float>& foreground, const Mas
     // What survives the opening decides, but the whole region goes.
     const Components regions = connected_components(doubtful);
     const Mask thick = open_disc(doubtful, radius);
+    const auto whole = static_cast<double>(area(mask));
     std::vector<char> cut(regions.list.size() + 1, 0);
     for (std::size_t i = 0; i < thick.size(); ++i)
         if (thick.data()[i]) cut[static_cast<std::size_t>(regions.ids.data()[i])] = 1;
     for (const Component& region : regions.list) {
         char& decision = cut[static_cast<std::size_t>(region.id)];
-        if (decision && !is_open(regions, region, mask) &&
-            mean(regions, region, foreground) >= options.hole_probability)
-            decision = 0;
+        if (!decision || is_open(regions, region, mask)) continue;
+        decision = region.area <= options.hole_cut_share * whole &&
+                   mean(regions, region, foreground) < options.hole_probability;
     }
     return where(
         mask, [&](int x, int y) { return mask(x, y) && !cut[static_cast<std::size_t>(regions.ids(x, y))]; });
@@ -159,7 +195,7 @@ Mask decide_silhouette(const Mask& detected, const Grid<float>& foreground, cons
     const double radius = std::max(1.0, options.tolerance * longer_side);
     const Mask inked = where(detected, [&](int x, int y) { return ink(x, y) >= options.ink_darkness; });
     Mask mask = cut_bridged_gaps(detected, foreground, inked, options, radius);
-    mask = fill_open_outlines(mask, foreground, options.fill_probability, radius);
+    mask = fill_open_outlines(mask, foreground, options, radius);
     mask = join_pieces(mask, options, longer_side, radius);
     mask = fill_holes(mask, static_cast<long>(options.hole_share * static_cast<double>(area(mask))));
     return largest_component(smooth(mask));

@@ -74,16 +74,37 @@ TEST_CASE("Ink of the mask is never cut, even where the network sees background 
         if (scene.ink.data()[i] > 0) CHECK(silhouette.data()[i] == 1);
 }
 
-TEST_CASE("The inside of a closed outline is not cut for doubts alone, but is for certainty") {
+TEST_CASE("A small closed space is not cut for doubts alone, but is for certainty") {
     Scene scene;
-    Scene::rectangle<std::uint8_t>(scene.mask, {40, 40, 120, 120}, 1);
-    for (const Box side :
-         {Box{40, 40, 120, 3}, Box{40, 157, 120, 3}, Box{40, 40, 3, 120}, Box{157, 40, 3, 120}})
-        scene.stroke(side);
-    for (float& p : scene.foreground) p = 0.2f;
+    scene.stroke({10, 10, 180, 180}); // ink all over but for the space between arm and body
+    Scene::rectangle(scene.foreground, {10, 10, 180, 180}, 0.9f);
+    Scene::rectangle(scene.ink, {80, 80, 40, 40}, 0.0f);
+    Scene::rectangle(scene.foreground, {80, 80, 40, 40}, 0.2f);
     CHECK(scene.decide()(100, 100) == 1);
-    for (float& p : scene.foreground) p = 0.02f;
+    Scene::rectangle(scene.foreground, {80, 80, 40, 40}, 0.02f);
     CHECK(scene.decide()(100, 100) == 0);
+}
+
+TEST_CASE("A cloud of foreground that no stroke encloses is not taken, unless the silhouette stays hollow "
+          "without it") {
+    Scene scene;
+    scene.stroke({40, 40, 120, 60});
+    Scene::rectangle(scene.foreground, {40, 40, 120, 60}, 0.9f);
+    Scene::rectangle(scene.foreground, {80, 100, 40, 40}, 0.9f); // below the body, open on three sides
+    CHECK(scene.decide()(100, 120) == 0);
+    Scene hollow;
+    hollow.stroke({40, 40, 120, 3}); // one line above what the network sees
+    Scene::rectangle(hollow.foreground, {40, 40, 120, 80}, 0.9f);
+    CHECK(hollow.decide()(100, 100) == 1);
+}
+
+TEST_CASE("A closed body of which the network is sure to see nothing is not cut out") {
+    Scene scene;
+    Scene::rectangle<std::uint8_t>(scene.mask, {20, 20, 160, 160}, 1);
+    for (const Box side :
+         {Box{20, 20, 160, 3}, Box{20, 177, 160, 3}, Box{20, 20, 3, 160}, Box{177, 20, 3, 160}})
+        scene.stroke(side);
+    CHECK(scene.decide()(100, 100) == 1);
 }
 
 TEST_CASE("A rim that the network's blur adds around the outline is not taken") {
