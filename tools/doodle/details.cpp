@@ -67,6 +67,32 @@ void add_nose(Builder& b, int head, const Frame& f) {
     }
 }
 
+void add_spikes(Builder& b, const Frame& f) {
+    Random& random = b.random;
+    const int count = random.integer(4, 11);
+    for (int i = 0; i < count; ++i) {
+        const double a = -pi * (0.12 + 0.76 * (i + random.uniform(0.0, 0.6)) / count);
+        const Point2d d = direction(a), e = direction(a + random.uniform(-0.2, 0.2));
+        const double out = random.uniform(1.15, 1.35);
+        b.stick(Label::head, {f.at(0.97 * d.x, 0.97 * d.y), f.at(out * e.x, out * e.y)}, 0, 1.0);
+    }
+}
+
+void add_long_hair(Builder& b, int head, const Frame& f) {
+    Random& random = b.random;
+    const double l = random.uniform(0.9, 2.0), w = random.uniform(1.15, 1.5);
+    Path p = {f.at(-0.2, -1.15),    f.at(-0.9 * w, -0.7),
+              f.at(-w, 0.3),        f.at(-w * random.uniform(0.9, 1.2), l),
+              f.at(-0.5, l * 0.95), f.at(0, 0.6),
+              f.at(0.5, l * 0.95),  f.at(w * random.uniform(0.9, 1.2), l),
+              f.at(w, 0.3),         f.at(0.9 * w, -0.7),
+              f.at(0.2, -1.15)};
+    b.part(b.region(Label::head, spline(p, true, 5), -3)).paint = 6;
+    b.mark(head,
+           spline({f.at(-0.95, -0.2), f.at(-0.3, -0.75), f.at(0, -0.9), f.at(0.3, -0.75), f.at(0.95, -0.2)},
+                  false));
+}
+
 } // namespace
 
 void add_eye(Builder& b, int head, Point2d c, double size) {
@@ -122,25 +148,9 @@ void add_hair(Builder& b, int head, Frame f) {
     Random& random = b.random;
     const int kind = random.integer(0, 5);
     if (kind == 0) { // spikes
-        const int count = random.integer(4, 11);
-        for (int i = 0; i < count; ++i) {
-            const double a = -pi * (0.12 + 0.76 * (i + random.uniform(0.0, 0.6)) / count);
-            const Point2d d = direction(a), e = direction(a + random.uniform(-0.2, 0.2));
-            const double out = random.uniform(1.15, 1.35);
-            b.stick(Label::head, {f.at(0.97 * d.x, 0.97 * d.y), f.at(out * e.x, out * e.y)}, 0, 1.0);
-        }
+        add_spikes(b, f);
     } else if (kind == 1) { // long hair at both sides, behind the head
-        const double l = random.uniform(0.9, 2.0), w = random.uniform(1.15, 1.5);
-        Path p = {f.at(-0.2, -1.15),    f.at(-0.9 * w, -0.7),
-                  f.at(-w, 0.3),        f.at(-w * random.uniform(0.9, 1.2), l),
-                  f.at(-0.5, l * 0.95), f.at(0, 0.6),
-                  f.at(0.5, l * 0.95),  f.at(w * random.uniform(0.9, 1.2), l),
-                  f.at(w, 0.3),         f.at(0.9 * w, -0.7),
-                  f.at(0.2, -1.15)};
-        b.part(b.region(Label::head, spline(p, true, 5), -3)).paint = 6;
-        b.mark(head, spline({f.at(-0.95, -0.2), f.at(-0.3, -0.75), f.at(0, -0.9), f.at(0.3, -0.75),
-                             f.at(0.95, -0.2)},
-                            false));
+        add_long_hair(b, head, f);
     } else if (kind == 2) { // a scribbled mop
         Path p;
         const int n = random.integer(14, 30);

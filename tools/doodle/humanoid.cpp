@@ -115,10 +115,66 @@ int add_head(Builder& b, const Person& p) {
     return head;
 }
 
+// The outline of a trunk that is no stick; a dress widens the hips.
+Path trunk_outline(Random& r, Person& p) {
+    const double top = p.head_ry + p.neck, w = p.trunk_width / 2, h = p.hip_width / 2, l = p.trunk_length;
+    switch (r.integer(0, 5)) {
+    case 0:
+        return ellipse({0, top + l / 2}, w * 1.3, l / 2 + 1.5);
+    case 1:
+        return ellipse({0, top + l / 2}, w, l / 2, 0, r.uniform(3.0, 6.0));
+    case 2:
+        return Path{{-w, top}, {w, top}, {h, top + l}, {-h, top + l}};
+    case 3: // shoulders and a waist
+        return spline({{-0.5 * w, top},
+                       {-w, top + 0.06 * l},
+                       {-0.75 * w, top + 0.55 * l},
+                       {-h, top + l},
+                       {0, top + 1.03 * l},
+                       {h, top + l},
+                       {0.75 * w, top + 0.55 * l},
+                       {w, top + 0.06 * l},
+                       {0.5 * w, top}},
+                      true, 5);
+    case 4: // a pear
+        return spline({{-0.6 * w, top + 0.05 * l},
+                       {-1.0 * w, top + 0.5 * l},
+                       {-1.2 * w, top + 0.85 * l},
+                       {0, top + 1.04 * l},
+                       {1.2 * w, top + 0.85 * l},
+                       {1.0 * w, top + 0.5 * l},
+                       {0.6 * w, top + 0.05 * l},
+                       {0, top - 0.03 * l}},
+                      true, 5);
+    default: // a dress, wide at the knees
+        p.hip_width = p.trunk_width * r.uniform(1.2, 2.2);
+        return Path{{-0.45 * w, top},
+                    {0.45 * w, top},
+                    {p.hip_width / 2, top + l},
+                    {0, top + 1.05 * l},
+                    {-p.hip_width / 2, top + l}};
+    }
+}
+
+void add_neck(Builder& b, const Person& p, int head, int trunk) {
+    Random& r = b.random;
+    const double top = p.head_ry + p.neck, w = p.trunk_width / 2;
+    const double neck_radius = std::min(r.uniform(0.12, 0.3) * p.head_rx, 0.7 * w);
+    if (r.chance(0.3) || neck_radius < 1.2) {
+        b.stick(Label::body, {{0, p.head_ry - 1}, {0, top + 1.5}}, -0.5);
+    } else {
+        const RibbonEnds ends{Cap::flat, Cap::flat, true, true};
+        const Path line{{0, p.head_ry - 1.5}, {0, top + 2}};
+        const int neck = b.limb(Label::body, line, {neck_radius}, -0.5, ends);
+        b.merge(neck, trunk);
+        if (r.chance(0.3)) b.merge(neck, head);
+    }
+}
+
 // The trunk below the head; returns its region and sets the places where limbs begin.
 int add_trunk(Builder& b, Person& p, int head) {
     Random& r = b.random;
-    const double top = p.head_ry + p.neck, w = p.trunk_width / 2, h = p.hip_width / 2, l = p.trunk_length;
+    const double top = p.head_ry + p.neck, l = p.trunk_length;
     p.shoulder_y = top, p.hip_y = top + l, p.arm_y = top + r.uniform(0.06, 0.25) * l;
     if (p.stick_trunk) {
         const int line =
@@ -129,63 +185,9 @@ int add_trunk(Builder& b, Person& p, int head) {
         p.arm_y = top + r.uniform(0.1, 0.4) * l;
         return line;
     }
-    Path outline;
-    switch (r.integer(0, 5)) {
-    case 0:
-        outline = ellipse({0, top + l / 2}, w * 1.3, l / 2 + 1.5);
-        break;
-    case 1:
-        outline = ellipse({0, top + l / 2}, w, l / 2, 0, r.uniform(3.0, 6.0));
-        break;
-    case 2:
-        outline = {{-w, top}, {w, top}, {h, top + l}, {-h, top + l}};
-        break;
-    case 3: // shoulders and a waist
-        outline = spline({{-0.5 * w, top},
-                          {-w, top + 0.06 * l},
-                          {-0.75 * w, top + 0.55 * l},
-                          {-h, top + l},
-                          {0, top + 1.03 * l},
-                          {h, top + l},
-                          {0.75 * w, top + 0.55 * l},
-                          {w, top + 0.06 * l},
-                          {0.5 * w, top}},
-                         true, 5);
-        break;
-    case 4: // a pear
-        outline = spline({{-0.6 * w, top + 0.05 * l},
-                          {-1.0 * w, top + 0.5 * l},
-                          {-1.2 * w, top + 0.85 * l},
-                          {0, top + 1.04 * l},
-                          {1.2 * w, top + 0.85 * l},
-                          {1.0 * w, top + 0.5 * l},
-                          {0.6 * w, top + 0.05 * l},
-                          {0, top - 0.03 * l}},
-                         true, 5);
-        break;
-    default: // a dress
-        p.hip_width = p.trunk_width * r.uniform(1.2, 2.2);
-        outline = {{-0.45 * w, top},
-                   {0.45 * w, top},
-                   {p.hip_width / 2, top + l},
-                   {0, top + 1.05 * l},
-                   {-p.hip_width / 2, top + l}};
-        break;
-    }
-    const int trunk = b.region(Label::body, outline, 0);
+    const int trunk = b.region(Label::body, trunk_outline(r, p), 0);
     if (p.neck < -0.5) b.attach(head, trunk);
-    if (p.neck > 0.5) {
-        const double neck_radius = std::min(r.uniform(0.12, 0.3) * p.head_rx, 0.7 * w);
-        if (r.chance(0.3) || neck_radius < 1.2) {
-            b.stick(Label::body, {{0, p.head_ry - 1}, {0, top + 1.5}}, -0.5);
-        } else {
-            const RibbonEnds ends{Cap::flat, Cap::flat, true, true};
-            const Path line{{0, p.head_ry - 1.5}, {0, top + 2}};
-            const int neck = b.limb(Label::body, line, {neck_radius}, -0.5, ends);
-            b.merge(neck, trunk);
-            if (r.chance(0.3)) b.merge(neck, head);
-        }
-    }
+    if (p.neck > 0.5) add_neck(b, p, head, trunk);
     return trunk;
 }
 

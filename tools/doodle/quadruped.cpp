@@ -182,55 +182,56 @@ void add_legs(Builder& b, const Animal& a, int trunk) {
     }
 }
 
+struct EarPlace {
+    Point2d root, up; // where it grows and to where
+    double size, way, depth;
+};
+
+int add_ear(Builder& b, EarKind kind, const EarPlace& e) {
+    Random& r = b.random;
+    const double size = e.size;
+    switch (kind) {
+    case EarKind::pointed: {
+        const double w = r.uniform(0.25, 0.45) * size, l = r.uniform(0.6, 1.0) * size;
+        const Point2d across{-e.up.y, e.up.x}, base = e.root - (0.2 * size) * e.up;
+        return b.region(Label::head, {base - w * across, e.root + l * e.up, base + w * across}, e.depth);
+    }
+    case EarKind::floppy: {
+        const double l = r.uniform(0.7, 1.2) * size;
+        const Path line{e.root, e.root + Point2d{0.5 * e.way * l, -0.1 * l},
+                        e.root + Point2d{0.6 * e.way * l, 0.7 * l}};
+        return b.limb(Label::head, line, {0.12 * size, 0.26 * size, 0.12 * size}, e.depth);
+    }
+    case EarKind::tall: {
+        const double l = r.uniform(1.3, 2.2) * size, w = r.uniform(0.16, 0.26) * size;
+        const Path line{e.root, e.root + (0.5 * l) * e.up, e.root + l * e.up};
+        return b.limb(Label::head, line, {w, 1.2 * w, 0.6 * w}, e.depth);
+    }
+    case EarKind::big: {
+        const double w = r.uniform(0.6, 0.9) * size;
+        return b.region(Label::head, ellipse(e.root, 0.75 * w, w), e.depth);
+    }
+    default: {
+        const double w = r.uniform(0.3, 0.5) * size;
+        return b.region(Label::head, ellipse(e.root + (0.3 * w) * e.up, w, w), e.depth);
+    }
+    }
+}
+
 void add_ear_pair(Builder& b, int head, Frame f, EarKind kind, bool profile) {
     Random& r = b.random;
+    if (kind == EarKind::none) return;
     for (int s = profile && r.chance(0.4) ? 1 : -1; s <= 1; s += 2) {
         const double u = profile ? -0.35 + 0.25 * s : 0.65 * s;
-        const Point2d root = f.at(u, profile ? -0.75 : -0.65);
-        const double size = std::min(f.rx, f.ry);
         const double lean = profile ? r.uniform(-0.3, 0.1) : 0.45 * s;
-        const Point2d up = rotated({0, -1}, lean + f.angle), across{-up.y, up.x};
-        const double depth = r.chance(0.5) ? 1.2 : 0.7;
-        int ear = -1;
-        switch (kind) {
-        case EarKind::none:
-            return;
-        case EarKind::pointed: {
-            const double w = r.uniform(0.25, 0.45) * size, l = r.uniform(0.6, 1.0) * size;
-            ear = b.region(
-                Label::head,
-                {root - w * across - (0.2 * size) * up, root + l * up, root + w * across - (0.2 * size) * up},
-                depth);
-            break;
-        }
-        case EarKind::round: {
-            const double w = r.uniform(0.3, 0.5) * size;
-            ear = b.region(Label::head, ellipse(root + (0.3 * w) * up, w, w), depth);
-            break;
-        }
-        case EarKind::floppy: {
-            const double l = r.uniform(0.7, 1.2) * size, way = profile ? -1 : s;
-            ear = b.limb(
-                Label::head,
-                {root, root + Point2d{0.5 * way * l, -0.1 * l}, root + Point2d{0.6 * way * l, 0.7 * l}},
-                {0.12 * size, 0.26 * size, 0.12 * size}, depth);
-            break;
-        }
-        case EarKind::tall: {
-            const double l = r.uniform(1.3, 2.2) * size, w = r.uniform(0.16, 0.26) * size;
-            ear = b.limb(Label::head, {root, root + (0.5 * l) * up, root + l * up}, {w, 1.2 * w, 0.6 * w},
-                         depth);
-            break;
-        }
-        case EarKind::big: {
-            const double w = r.uniform(0.6, 0.9) * size;
-            const Point2d c = profile ? f.at(-0.6, 0.0) : f.at(1.2 * s, 0);
-            ear = b.region(Label::head, ellipse(c, 0.75 * w, w), profile ? 1.5 : 0.7);
+        EarPlace place{f.at(u, profile ? -0.75 : -0.65), rotated({0, -1}, lean + f.angle),
+                       std::min(f.rx, f.ry), profile ? -1.0 : s, r.chance(0.5) ? 1.2 : 0.7};
+        if (kind == EarKind::big) { // an elephant's, at the side of the head
+            place.root = profile ? f.at(-0.6, 0.0) : f.at(1.2 * s, 0);
+            place.depth = profile ? 1.5 : 0.7;
             if (profile) s = 1;
-            break;
         }
-        }
-        b.attach(ear, head);
+        b.attach(add_ear(b, kind, place), head);
     }
 }
 
@@ -388,6 +389,28 @@ int add_neck_and_head(Builder& b, const Animal& a, int trunk, const std::string&
     return head;
 }
 
+// A pointed brush or three hairs at the end of a tail.
+void add_tuft(Builder& b, const Path& line, double depth) {
+    Random& r = b.random;
+    const Point2d tip = line[2], along = unit(line[2] - line[1]);
+    const double s = r.uniform(2.0, 3.5);
+    if (r.chance(0.5))
+        b.limb(Label::tail, {tip, tip + s * along, tip + (2 * s) * along}, {0.3, 0.6 * s, 0.1}, depth + 0.1,
+               {Cap::flat, Cap::pointed});
+    else
+        for (int i = -1; i <= 1; ++i)
+            b.stick(Label::tail, {tip, tip + (1.6 * s) * rotated(along, 0.4 * i)}, depth, 2.0);
+}
+
+// A horse's tail of single hairs.
+void add_strands(Builder& b, const Path& line, double l, Point2d side, double depth) {
+    Random& r = b.random;
+    for (int i = 0, n = r.integer(3, 6); i < n; ++i) {
+        const double d = r.uniform(-0.12, 0.12) * l;
+        b.stick(Label::tail, spline({line[0], line[1] + d * side, line[2] + (3 * d) * side}, false), depth);
+    }
+}
+
 void add_tail(Builder& b, const Animal& a, int trunk) {
     Random& r = b.random;
     const Point2d root{-0.94 * a.rx, -0.35 * a.ry};
@@ -407,18 +430,10 @@ void add_tail(Builder& b, const Animal& a, int trunk) {
             b.attach(b.limb(Label::tail, line, {2.0, 1.7, 1.3}, depth, {Cap::round, Cap::round, true, false}),
                      trunk);
         break;
-    case TailKind::tuft: {
+    case TailKind::tuft:
         b.stick(Label::tail, spline(line, false), depth);
-        const Point2d tip = line[2], along = unit(line[2] - line[1]);
-        const double s = r.uniform(2.0, 3.5);
-        if (r.chance(0.5))
-            b.limb(Label::tail, {tip, tip + s * along, tip + (2 * s) * along}, {0.3, 0.6 * s, 0.1},
-                   depth + 0.1, {Cap::flat, Cap::pointed});
-        else
-            for (int i = -1; i <= 1; ++i)
-                b.stick(Label::tail, {tip, tip + (1.6 * s) * rotated(along, 0.4 * i)}, depth, 2.0);
+        add_tuft(b, line, depth);
         break;
-    }
     case TailKind::curly: {
         const double turns = r.uniform(0.8, 1.8);
         b.stick(Label::tail, curl(root, pi + 0.5, l * 1.5, turns, 0.6), depth);
@@ -447,11 +462,7 @@ void add_tail(Builder& b, const Animal& a, int trunk) {
     }
     case TailKind::strands:
         if (pen_thin) {
-            for (int i = 0, n = r.integer(3, 6); i < n; ++i) {
-                const double d = r.uniform(-0.12, 0.12) * l;
-                b.stick(Label::tail, spline({root, line[1] + d * side, line[2] + (3 * d) * side}, false),
-                        depth);
-            }
+            add_strands(b, line, l, side, depth);
         } else {
             b.attach(b.limb(Label::tail, line, {1.5, 3.0, 3.4, 1.0}, depth,
                             {Cap::round, Cap::pointed, true, false}),
