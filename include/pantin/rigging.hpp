@@ -14,7 +14,7 @@
 namespace pantin {
 
 // --- end-effector mapping
-// --------------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------------
 
 // M samples along the skeleton path between two end-effectors.
 struct PathSamples {
@@ -76,8 +76,7 @@ Mapping map_end_effectors(const SkeletonGraph& graph, const Mask& silhouette,
                           const ReferenceSkeleton& reference, const Candidate& match,
                           const MappingOptions& options = {});
 
-// --- mesh
-// ---------------------------------------------------------------------------------------------------------
+// --- mesh --------------------------------------------------------------------------------------------------
 
 struct Mesh {
     std::vector<Point2d> vertices;       // working pixels
@@ -91,16 +90,15 @@ struct MeshOptions {
 };
 // Marching squares quad mesh (thesis 4.6, Fig. 4.17; Maple 2003) of the silhouette grown by `options.margin`
 // (negative: 0). Voxel corners lie at multiples of the cell. Every vertex is shared, no two lie at one place,
-// every edge has one or two faces. With `cell` 0 the cell is halved from side/64 until the mesh has as many
-// pieces and holes as the grown silhouette (or the cell is 2).
+// every edge has one or two faces. With `cell` 0 the cell starts at side/64 and shrinks until the mesh has as
+// many pieces as the grown silhouette and all its holes of more than four voxels (or the cell is 2).
 Mesh marching_squares(const Mask& silhouette, const MeshOptions& options);
 
 // Half of a pen's stroke may lie outside a silhouette whose border runs along the stroke's middle. Mesh and
 // texture reach this many working pixels beyond it: 1.2 % of the longer side, at least 2.
 double ink_margin(int width, int height);
 
-// --- bones and weights
-// -----------------------------------------------------------------------------------------------
+// --- bones and weights -------------------------------------------------------------------------------------
 
 // Bone i turns about `head` and reaches to `tail`. The root bone (index 0) is the body.
 struct Bone {

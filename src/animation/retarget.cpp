@@ -18,7 +18,8 @@ Point2d direction_of(const Bone& bone) {
     return n > 1e-9 ? Point2d{d.x / n, d.y / n} : Point2d{0, 1};
 }
 
-// A limb as long as it is wide swings a third, one of more than two widths swings fully.
+// A limb as long as it is wide swings a third (a wing, which is broad by nature, two thirds), one of more
+// than two widths swings fully.
 double swing_of(const Rig& rig, int bone) {
     const Bone& b = rig.bones[bone];
     if (b.width <= 0 || b.label == Label::head || b.label == Label::body) return 1;
@@ -26,7 +27,7 @@ double swing_of(const Rig& rig, int bone) {
     for (const Bone& other : rig.bones) // all bones of the same limb
         if (other.reference_joint == b.reference_joint && other.width == b.width)
             reach += distance(other.head, other.tail);
-    return std::clamp(0.35 + 0.5 * (reach / b.width - 1), 0.3, 1.0);
+    return std::clamp(0.35 + 0.5 * (reach / b.width - 1), b.label == Label::wing ? 0.65 : 0.3, 1.0);
 }
 
 // "leg_front_left" belongs to the group "leg".

@@ -9,12 +9,16 @@
 
 #include "pantin/image.hpp"
 #include "rigging/inward_paths.hpp"
+#include "rigging/part_components.hpp"
 
 namespace pantin {
 namespace {
 
 constexpr double twig_share =
     0.6; // an unmatched branch shorter than this share of the limb's outer part is a twig
+constexpr double part_share =
+    0.005; // a part without end-effector is a limb from this share of the silhouette on
+constexpr double free_border = 0.35; // … if this share of its border meets the background (not a folded wing)
 constexpr double stub_share = 0.35; // a shared stem shorter than this share of both branches counts as body
 
 enum class Kind { head, body, appendage };
@@ -57,6 +61,7 @@ public:
             return a.matched != b.matched ? a.matched : a.length > b.length;
         });
         for (const Branch& candidate : candidates) add(candidate);
+        add_parts_without_end();
         give_references();
         for (Limb& limb : result_.limbs) measure(limb);
         hang_on_heads();
@@ -173,6 +178,9 @@ private:
     void set_path(Limb& limb, const Branch& candidate) const {
         limb.path.assign(candidate.path->points.begin(), candidate.path->points.begin() + candidate.extent);
         std::reverse(limb.path.begin(), limb.path.end());
+        set_positions(limb);
+    }
+    static void set_positions(Limb& limb) {
         limb.position.assign(1, 0);
         for (std::size_t i = 1; i < limb.path.size(); ++i)
             limb.position.push_back(limb.position.back() + distance(limb.path[i - 1], limb.path[i]));
@@ -191,6 +199,45 @@ private:
     void add_twig(const Branch& candidate, int here, int limb, double position) {
         const auto& points = candidate.path->points;
         result_.twigs.push_back({limb, position, {points.begin(), points.begin() + here + 1}});
+    }
+
+    // Parts that segmentation sees and the skeleton does not (a short leg, a stub of a tail): pruning took
+    // their end-effector. They move as well, along a path of their own.
+    void add_parts_without_end() {
+        const auto area = std::count_if(depth_.begin(), depth_.end(), [](float d) { return d > 0; });
+        const int min_area = std::max(30, static_cast<int>(part_share * static_cast<double>(area)));
+        for (PartComponent& part : part_components(labels_, depth_, min_area)) {
+            if (part.free_share < free_border || part.path.size() < 3 || is_covered(part)) continue;
+            const bool has_head = std::any_of(result_.limbs.begin(), result_.limbs.end(),
+                                              [](const Limb& limb) { return limb.label == Label::head; });
+            if (part.label == Label::head && has_head) continue;
+            Limb limb;
+            limb.end =
+                static_cast<int>(graph_.vertices.size() + result_.limbs.size()); // no vertex; keeps the order
+            limb.label = part.label;
+            limb.path = std::move(part.path);
+            set_positions(limb);
+            result_.limbs.push_back(std::move(limb));
+            accepted_.push_back({});
+        }
+    }
+
+    // Whether a limb or a side branch of one runs through the part, or the body's root lies in it.
+    bool is_covered(const PartComponent& part) const {
+        const auto inside = [&](Point2d p) {
+            const Point2i pixel{static_cast<int>(std::rint(p.x)), static_cast<int>(std::rint(p.y))};
+            return std::binary_search(
+                part.pixels.begin(), part.pixels.end(), pixel,
+                [](Point2i a, Point2i b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
+        };
+        const auto runs_through = [&](const std::vector<Point2d>& path) {
+            return std::count_if(path.begin(), path.end(), inside) >= 3;
+        };
+        for (const Limb& limb : result_.limbs)
+            if (runs_through(limb.path)) return true;
+        for (const Twig& twig : result_.twigs)
+            if (runs_through(twig.path)) return true;
+        return inside(result_.root);
     }
 
     // Position of an end-effector inside the box of all of them, for comparison with the reference's nodes.
@@ -260,7 +307,7 @@ private:
         for (std::size_t i = 0; i < result_.limbs.size(); ++i) {
             Limb& limb = result_.limbs[i];
             const Branch& c = accepted_[i];
-            if (limb.parent >= 0 || limb.label == Label::head) continue;
+            if (limb.parent >= 0 || limb.label == Label::head || !c.path) continue;
             if (c.extent >= static_cast<int>(c.path->points.size())) continue;
             if (label_at(c.path->points[c.extent]) != Label::head) continue;
             for (std::size_t h = 0; h < result_.limbs.size() && limb.parent < 0; ++h)

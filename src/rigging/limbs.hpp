@@ -10,7 +10,7 @@ namespace pantin {
 
 // Positions along a limb are arc lengths of `path` in working pixels, 0 at the attachment.
 struct Limb {
-    int end = -1;           // skeleton vertex (end-effector)
+    int end = -1; // skeleton vertex (end-effector); beyond the graph's vertices for a part that has none
     int reference_end = -1; // reference node that drives it
     bool matched = false;   // paired by the mapping, or a follower
     Label label = Label::limb;

@@ -16,7 +16,8 @@
 namespace pantin {
 namespace {
 
-constexpr int min_cell = 2; // of the automatic choice
+constexpr int min_cell = 2;                // of the automatic choice
+constexpr std::size_t max_vertices = 4000; // beyond it the automatic choice takes no smaller cell
 
 // Signed distance (positive inside) to the nearest pixel centre of the other side, plus the margin. The frame
 // around the silhouette is wide enough that no voxel which the border crosses sees its edge.
@@ -32,6 +33,12 @@ public:
         for (std::size_t i = 0; i < values_.size(); ++i)
             values_.data()[i] = std::sqrt(static_cast<double>(in.data()[i])) -
                                 std::sqrt(static_cast<double>(out.data()[i])) + margin;
+        // The transform takes what lies beyond the frame for the silhouette: not so.
+        const int rim = static_cast<int>(margin) + 2;
+        for (int y = 0; y < values_.height(); ++y)
+            for (int x = 0; x < values_.width(); ++x)
+                if (std::min({x, y, values_.width() - 1 - x, values_.height() - 1 - y}) < rim)
+                    values_(x, y) = -rim;
     }
     double operator()(int x, int y) const { return values_.value_or(x + frame_, y + frame_, -1e9); }
 
@@ -131,6 +138,13 @@ Mesh mesh_of(const DistanceField& field, const Mask& silhouette, int cell, int r
         .build(start, start, silhouette.width() + reach, silhouette.height() + reach);
 }
 
+// As many pieces, and all holes of more than four voxels; smaller ones may be closed.
+bool same_topology(const Mesh& mesh, const Mask& mask, int cell) {
+    const Topology ours = topology_of(mesh), all = topology_of(mask);
+    if (ours.pieces != all.pieces || ours.holes > all.holes) return false;
+    return ours == all || ours.holes >= topology_of(fill_holes(mask, 4L * cell * cell)).holes;
+}
+
 } // namespace
 
 double ink_margin(int width, int height) { return std::max(2.0, 0.012 * std::max(width, height)); }
@@ -143,8 +157,8 @@ Mesh marching_squares(const Mask& silhouette, const MeshOptions& options) {
     const DistanceField field(silhouette, 3 * cell + 2 * reach, margin);
     Mesh mesh = mesh_of(field, silhouette, cell, reach, options.interpolate_distance);
     if (options.cell > 0) return mesh;
-    const Topology wanted = topology_of(field.grown());
-    while (cell > min_cell && topology_of(mesh) != wanted) {
+    const Mask grown = field.grown();
+    while (cell > min_cell && mesh.vertices.size() <= max_vertices && !same_topology(mesh, grown, cell)) {
         cell = std::max(min_cell, cell * 3 / 4);
         mesh = mesh_of(field, silhouette, cell, reach, options.interpolate_distance);
     }
