@@ -136,7 +136,7 @@ BoneAnimation retarget(const Rig& rig, const ReferenceSkeleton& reference, const
     animation.rotations.resize(rig.bones.size());
     samples = std::max(samples, 1);
     for (int i = 0; i <= samples; ++i) {
-        animation.times.push_back(clip.duration * i / samples);
+        animation.times.push_back(clip.duration * (static_cast<double>(i) / samples));
         const double cycle =
             static_cast<double>(i % samples) / samples; // the last pose is the first, to the bit
         for (std::size_t b = 0; b < rig.bones.size(); ++b)

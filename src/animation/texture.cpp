@@ -107,7 +107,7 @@ RgbaImage make_texture(const RgbImage& drawing, const LabelMap& labels) {
     Mask inside = enlarged(filled_silhouette(labels), width, height);
     const Grid<float> darkness = ink_darkness(drawing);
     const double reach =
-        static_cast<double>(width) / labels.width() * ink_margin(labels.width(), labels.height()) - 1;
+        static_cast<double>(width) / labels.width() * ink_margin(labels.width(), labels.height()) - 0.5;
     const Mask ink = touching_ink(inside, darkness, reach);
     trim_paper(inside, darkness, reach);
     RgbaImage texture(width, height);

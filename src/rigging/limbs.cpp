@@ -14,12 +14,14 @@
 namespace pantin {
 namespace {
 
-constexpr double twig_share =
-    0.6; // an unmatched branch shorter than this share of the limb's outer part is a twig
-constexpr double part_share =
-    0.005; // a part without end-effector is a limb from this share of the silhouette on
-constexpr double free_border = 0.35; // … if this share of its border meets the background (not a folded wing)
-constexpr double stub_share = 0.35; // a shared stem shorter than this share of both branches counts as body
+// An unmatched branch shorter than this share of the limb beyond the fork, or of the whole limb, is a side
+// branch.
+constexpr double twig_share = 0.6, twig_share_of_limb = 0.4;
+// A stem shared by two limbs and shorter than this share of both branches counts as body.
+constexpr double stub_share = 0.35;
+// A part without end-effector is a limb from this share of the silhouette on, if this share of its border
+// meets the background (a folded wing inside the body does not move).
+constexpr double part_share = 0.005, free_border = 0.35;
 
 enum class Kind { head, body, appendage };
 Kind kind_of(Label label) {
@@ -152,7 +154,8 @@ private:
             while (d.path->vertex[there] != candidate.path->vertex[here]) ++there;
             const double branch = arc_length(*candidate.path, 0, here), outer = arc_length(*d.path, 0, there);
             const double stem = arc_length(*d.path, there, d.extent - 1);
-            if (!candidate.matched && (branch < twig_share * outer || candidate.label == Label::head)) {
+            const bool is_short = branch < twig_share * outer || branch < twig_share_of_limb * (outer + stem);
+            if (!candidate.matched && (is_short || candidate.label == Label::head)) {
                 add_twig(candidate, here, other, stem);
                 return;
             }

@@ -33,6 +33,9 @@ public:
         for (std::size_t i = 0; i < values_.size(); ++i)
             values_.data()[i] = std::sqrt(static_cast<double>(in.data()[i])) -
                                 std::sqrt(static_cast<double>(out.data()[i])) + margin;
+        // A crossing at (or almost at) a voxel corner would put two vertices into one place.
+        for (double& value : values_)
+            if (std::abs(value) < 0.25) value = value > 0 ? 0.25 : -0.25;
         // The transform takes what lies beyond the frame for the silhouette: not so.
         const int rim = static_cast<int>(margin) + 2;
         for (int y = 0; y < values_.height(); ++y)

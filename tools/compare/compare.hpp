@@ -56,5 +56,7 @@ void identification_stages(const std::filesystem::path& reference, const std::ve
 // Meshes, weights.
 void rigging_stages(const std::filesystem::path& reference, const std::vector<Figure>& figures,
                     Report& report);
+// Meshes, seeds, reach and σ of the weights.
+void mesh_stages(const std::filesystem::path& reference, const std::vector<Figure>& figures, Report& report);
 
 } // namespace pantin::compare

@@ -134,6 +134,7 @@ int main(int argc, char** argv) {
         skeleton_stages(figures, report);
         identification_stages(reference, figures, report);
         rigging_stages(reference, figures, report);
+        mesh_stages(reference, figures, report);
         return report.print() ? 0 : 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "compare_reference: %s\n", error.what());

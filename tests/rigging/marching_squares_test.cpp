@@ -1,0 +1,169 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/random.hpp"
+#include "pantin/image.hpp"
+#include "pantin/rigging.hpp"
+#include "rigging/mesh_topology.hpp"
+
+using namespace pantin;
+
+namespace {
+
+double area_of(const Mesh& mesh) {
+    double twice = 0;
+    for (const std::vector<int>& face : mesh.faces)
+        for (std::size_t i = 0; i < face.size(); ++i)
+            twice += cross(mesh.vertices[face[i]], mesh.vertices[face[(i + 1) % face.size()]]);
+    return twice / 2;
+}
+
+// Area inside the mesh's border: the directed edges that no other face runs through the other way.
+double border_area(const Mesh& mesh) {
+    std::map<std::pair<int, int>, int> edges;
+    for (const std::vector<int>& face : mesh.faces)
+        for (std::size_t i = 0; i < face.size(); ++i) ++edges[{face[i], face[(i + 1) % face.size()]}];
+    double twice = 0;
+    for (const auto& [edge, count] : edges)
+        if (!edges.count({edge.second, edge.first}))
+            twice += cross(mesh.vertices[edge.first], mesh.vertices[edge.second]);
+    return twice / 2;
+}
+
+Mask random_blobs(Random& random, int side, int blobs) {
+    Mask mask(side, side);
+    for (int b = 0; b < blobs; ++b) {
+        const double x = random.uniform(0, side), y = random.uniform(0, side),
+                     r = random.uniform(1, side / 5.0);
+        const std::uint8_t value = b % 4 != 3;
+        for (int j = 0; j < side; ++j)
+            for (int i = 0; i < side; ++i)
+                if ((i - x) * (i - x) + (j - y) * (j - y) < r * r) mask(i, j) = value;
+    }
+    return mask;
+}
+
+MeshOptions options_with(int cell, bool interpolate = true, double margin = 0) {
+    MeshOptions options;
+    options.cell = cell;
+    options.interpolate_distance = interpolate;
+    options.margin = margin;
+    return options;
+}
+
+void check_is_proper(const Mesh& mesh) {
+    std::set<std::pair<double, double>> places;
+    for (const Point2d& p : mesh.vertices) places.insert({p.x, p.y});
+    CHECK(places.size() == mesh.vertices.size());
+    std::map<std::pair<int, int>, int> directed;
+    for (const std::vector<int>& face : mesh.faces) {
+        CHECK(face.size() >= 3);
+        CHECK(face.size() <= 6);
+        double twice = 0;
+        for (std::size_t i = 0; i < face.size(); ++i) {
+            const int u = face[i], v = face[(i + 1) % face.size()];
+            ++directed[{u, v}];
+            twice += cross(mesh.vertices[u], mesh.vertices[v]);
+        }
+        CHECK(twice > 0); // clockwise on screen
+    }
+    for (const auto& [edge, count] : directed) CHECK(count == 1); // so two faces at most, of one orientation
+}
+
+} // namespace
+
+TEST_CASE("a pixel alone becomes a diamond of four triangles") {
+    Mask mask(5, 5);
+    mask(2, 2) = 1;
+    const Mesh mesh = marching_squares(mask, options_with(1));
+    CHECK(mesh.vertices.size() == 5);
+    CHECK(mesh.faces.size() == 4);
+    CHECK(area_of(mesh) == 0.5); // half a pixel to each side
+}
+
+TEST_CASE("a square is meshed by quads, with interpolated distances to the pixel's edge") {
+    Mask mask(32, 32);
+    for (int y = 8; y <= 23; ++y)
+        for (int x = 8; x <= 23; ++x) mask(x, y) = 1;
+    const Mesh mesh = marching_squares(mask, options_with(8, false));
+    // Corners inside: 8 and 16, so the midpoint lies at 4 and 20.
+    double left = 1e9, right = -1e9;
+    for (const Point2d& p : mesh.vertices) left = std::min(left, p.x), right = std::max(right, p.x);
+    CHECK(left == 4);
+    CHECK(right == 20);
+    const Mesh finer = marching_squares(mask, options_with(8, true));
+    left = 1e9, right = -1e9;
+    for (const Point2d& p : finer.vertices) left = std::min(left, p.x), right = std::max(right, p.x);
+    CHECK(left == Approx(8 - 8.0 / 9)); // 1 inside, 8 outside
+    CHECK(right == Approx(16 + 8 * 8.0 / 9));
+}
+
+TEST_CASE("in the ambiguous case the value inside the voxel decides") {
+    Mask apart(16, 16), joined;
+    apart(4, 4) = apart(8, 8) = 1;
+    joined = apart;
+    joined(6, 6) = 1;
+    CHECK(topology_of(marching_squares(apart, options_with(4))).pieces == 2);
+    CHECK(topology_of(marching_squares(joined, options_with(4))).pieces == 1);
+}
+
+TEST_CASE("meshes of random masks are proper and have the area that their border encloses") {
+    Random random(7);
+    for (int round = 0; round < 30; ++round) {
+        const Mask mask = random_blobs(random, 40, 9);
+        for (const int cell : {1, 2, 3, 5, 8}) {
+            const Mesh mesh = marching_squares(mask, options_with(cell, round % 2 == 0));
+            CAPTURE(round, cell);
+            check_is_proper(mesh);
+            check_is_proper(marching_squares(mask, options_with(cell, true, 2)));
+            CHECK(area_of(mesh) == Approx(border_area(mesh)).margin(1e-9));
+        }
+    }
+}
+
+TEST_CASE("at one pixel per voxel the mesh has the pieces and holes of the mask") {
+    Random random(3);
+    for (int round = 0; round < 40; ++round) {
+        Mask mask = random_blobs(random, 24, 7);
+        for (int k = 0; k < 30; ++k) mask(random.integer(0, 23), random.integer(0, 23)) ^= 1;
+        CAPTURE(round);
+        CHECK(topology_of(marching_squares(mask, options_with(1))) == topology_of(mask));
+    }
+}
+
+TEST_CASE("a thin limb stays in one piece and a ring stays open when the cell is chosen automatically") {
+    Mask mask(300, 300);
+    for (int y = 20; y < 280; ++y)
+        for (int x = 0; x < 300; ++x) {
+            const double r = std::sqrt((x - 150.0) * (x - 150.0) + (y - 90.0) * (y - 90.0));
+            mask(x, y) = (r < 60 && r > 50) || (y > 140 && std::abs(x - 100 - y / 3) < 2);
+        }
+    mask = largest_component(mask);
+    MeshOptions options;
+    options.margin = 0;
+    const Mesh mesh = marching_squares(mask, options);
+    CHECK(topology_of(mesh) == topology_of(mask));
+    CHECK(topology_of(mesh) == Topology{1, 1});
+    options.margin = ink_margin(300, 300);
+    CHECK(topology_of(marching_squares(mask, options)) == Topology{1, 1});
+}
+
+TEST_CASE("the margin grows the mesh over the stroke's outer half") {
+    Mask mask(64, 64);
+    for (int y = 20; y < 44; ++y)
+        for (int x = 20; x < 44; ++x) mask(x, y) = 1;
+    const double plain = area_of(marching_squares(mask, options_with(4)));
+    const double grown = area_of(marching_squares(mask, options_with(4, true, 4)));
+    CHECK(plain == Approx(24 * 24).epsilon(0.05));
+    CHECK(grown == Approx(31 * 31 - (4 - 3.14159) * 16).epsilon(0.03)); // rounded at the corners
+}
+
+TEST_CASE("an empty mask has an empty mesh, a full one covers the image and the margin around it") {
+    CHECK(marching_squares(Mask(20, 20), options_with(4)).faces.empty());
+    const Mesh mesh = marching_squares(Mask(20, 12, 1), options_with(4));
+    CHECK(area_of(mesh) == Approx(20 * 12).epsilon(0.1));
+}
