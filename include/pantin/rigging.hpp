@@ -76,7 +76,7 @@ Mapping map_end_effectors(const SkeletonGraph& graph, const Mask& silhouette,
                           const ReferenceSkeleton& reference, const Candidate& match,
                           const MappingOptions& options = {});
 
-// --- mesh --------------------------------------------------------------------------------------------------
+// --- mesh ---------------------------------------------------------------------------------------------
 
 struct Mesh {
     std::vector<Point2d> vertices;       // working pixels
@@ -98,7 +98,7 @@ Mesh marching_squares(const Mask& silhouette, const MeshOptions& options);
 // texture reach this many working pixels beyond it: 1.2 % of the longer side, at least 2.
 double ink_margin(int width, int height);
 
-// --- bones and weights -------------------------------------------------------------------------------------
+// --- bones and weights --------------------------------------------------------------------------------
 
 // Bone i turns about `head` and reaches to `tail`. The root bone (index 0) is the body.
 struct Bone {
