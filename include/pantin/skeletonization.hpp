@@ -16,10 +16,16 @@ enum class Residual {
 };
 
 struct SkeletonizationOptions {
-    Residual residual = Residual::chord;  // `thesis`: arc
-    double residual_threshold = 30;       // at 321 px, scales with the longer side of the mask (thesis ch. 5)
-    double merge_distance = 5;            // ε of H2 at 321 px, scales likewise (thesis 4.4)
-    double fill_holes_share = 0.02;       // holes smaller than this share of the shape are filled; `thesis`: 0
+    Residual residual = Residual::chord; // `thesis`: arc
+    double residual_threshold = 30;      // at 321 px, scales with the longer side of the mask (thesis ch. 5)
+    double merge_distance = 5;           // ε of H2 at 321 px, scales likewise (thesis 4.4)
+    double fill_holes_share =
+        0.02; // holes smaller than this share of the shape are filled; `thesis`: 0 (ERRATA 4)
+    // A head, limb, tail or wing of at least this share of the shape that no ridge enters gets a branch; 0
+    // (`thesis`): none.
+    double recover_parts_share = 0.005;
+    bool cut_cycles =
+        true; // limbs that touch are cut apart where they are farthest from the body; `thesis`: false
 };
 
 struct SkeletonVertex {
@@ -43,13 +49,13 @@ struct SkeletonGraph {
 
 // Everything that Figures 3.14, 4.9, 4.11 and 4.12 show.
 struct Skeletonization {
-    Mask mask;                        // largest component of the silhouette, holes filled
+    Mask mask; // largest component of the silhouette, holes filled
     std::vector<Border> contour;
-    std::vector<VoronoiEdge> voronoi; // all edges inside the mask
-    std::vector<double> residuals;    // per Voronoi edge
-    Mask voronoi_raster;              // edges over the threshold
-    Mask thinned;                     // after Zhang–Suen
-    Mask skeleton;                    // after removal of redundant pixels
+    std::vector<VoronoiEdge> voronoi;   // all edges inside the mask
+    std::vector<double> residuals;      // per Voronoi edge
+    Mask voronoi_raster;                // edges over the threshold, homotopic to the mask
+    Mask thinned;                       // after Zhang–Suen
+    Mask skeleton;                      // after removal of redundant pixels and cutting of cycles
     SkeletonGraph raw, after_h1, graph; // `graph`: after H1 and H2
 };
 
@@ -57,8 +63,8 @@ struct Skeletonization {
 Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions& options = {});
 
 // The sub-steps, each usable alone.
-Mask zhang_suen(const Mask& mask);                    // Algorithm 4.1, with ERRATA 5
-Mask remove_redundant_pixels(const Mask& skeleton);   // ERRATA 6
+Mask zhang_suen(const Mask& mask);                  // Algorithm 4.1, with ERRATA 5
+Mask remove_redundant_pixels(const Mask& skeleton); // ERRATA 6
 SkeletonGraph extract_graph(const Mask& skeleton, const LabelMap& labels);
 SkeletonGraph apply_h1(const SkeletonGraph& graph);
 SkeletonGraph apply_h2(const SkeletonGraph& graph, double merge_distance);

@@ -28,6 +28,8 @@ template <class Visitor> void visit_skeletonization(SkeletonizationOptions& o, V
     visit("skeletonization.residual_threshold", o.residual_threshold, 0, 10000);
     visit("skeletonization.merge_distance", o.merge_distance, 0, 10000);
     visit("skeletonization.fill_holes_share", o.fill_holes_share, 0, 1);
+    visit("skeletonization.recover_parts_share", o.recover_parts_share, 0, 1);
+    visit("skeletonization.cut_cycles", o.cut_cycles);
 }
 
 template <class Visitor> void visit_identification(IdentificationOptions& o, Visitor& visit) {
@@ -142,6 +144,8 @@ Options make_preset(std::string_view name) {
     options.detection.working_size = 321;              // ch. 5: the network's input
     options.skeletonization.residual = Residual::arc;  // 3.4, ERRATA 1
     options.skeletonization.fill_holes_share = 0;      // ERRATA 4: holes are kept
+    options.skeletonization.recover_parts_share = 0;
+    options.skeletonization.cut_cycles = false;
     options.identification.thesis_score = true;        // Eq. 4.3–4.7, K_v of ch. 5, ERRATA 8
     options.identification.use_evidence = false;       // ERRATA 10
     options.identification.use_ilp = ilp_available();  // ch. 5: solved by GLPK

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "pantin/image.hpp"
+#include "skeletonization/parts.hpp"
 #include "skeletonization/topology.hpp"
 #include "skeletonization/voronoi_skeleton.hpp"
 
@@ -63,13 +64,17 @@ Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions
     s.contour = follow_borders(s.mask);
     const BorderSites sites = border_sites(s.contour, s.mask.width(), s.mask.height());
     find_voronoi(s, sites, options.residual);
-    const Mask ridges = rasterise(s.voronoi, s.residuals, sites, s.mask, threshold);
+    Mask ridges = rasterise(s.voronoi, s.residuals, sites, s.mask, threshold);
+    const LabelMap parts = labels_on(s.mask, labels);
+    if (options.recover_parts_share > 0)
+        ridges = anchor_missing_parts(ridges, s.mask, parts, options.recover_parts_share);
     s.voronoi_raster = restore_topology(ridges, s.mask);
     s.thinned = zhang_suen(s.voronoi_raster);
     // It deletes a 2×2 square as a whole; the shape then keeps its deepest pixel.
     if (area(s.thinned) == 0) s.thinned = restore_topology(s.thinned, s.mask);
     s.skeleton = remove_redundant_pixels(s.thinned);
-    s.raw = extract_graph(s.skeleton, labels_on(s.mask, labels));
+    if (options.cut_cycles) s.skeleton = cut_cycles(s.skeleton, parts, options.merge_distance * scale);
+    s.raw = extract_graph(s.skeleton, parts);
     s.after_h1 = apply_h1(s.raw);
     s.graph = apply_h2(s.after_h1, options.merge_distance * scale);
     if (s.graph.edges.empty()) throw CharacterRejected("skeletonize", "the skeleton is a single point");

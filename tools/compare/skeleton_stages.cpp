@@ -131,6 +131,8 @@ void residual_stages(const Figure& figure, Residual residual, const std::string&
     SkeletonizationOptions options;
     options.residual = residual;
     options.fill_holes_share = 1;
+    options.recover_parts_share = 0;
+    options.cut_cycles = false;
     const Skeletonization whole = skeletonize(figure.near, options);
     const int far = far_pixels(whole.voronoi_raster, vor) + far_pixels(vor, whole.voronoi_raster);
     report.add("Voronoi raster, pixels off by more than one", far == 0, far, where);

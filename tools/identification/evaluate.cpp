@@ -80,6 +80,8 @@ double divided(const Identification& found, const std::string& reference) {
 void evaluate(const LabelMap& labels, const std::vector<ReferenceSkeleton>& references) {
     SkeletonizationOptions arc;
     arc.residual = Residual::arc;
+    arc.recover_parts_share = 0;
+    arc.cut_cycles = false;
     IdentificationOptions literal, plain;
     literal.thesis_score = true;
     plain.use_evidence = false;
