@@ -65,6 +65,7 @@ DOODLE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out tools/doodle/main.c
 TEST_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tests/*.cpp tests/*/*.cpp)))
 BENCH_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/bench/*.cpp)))
 COMPARE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/compare/*.cpp)))
+EVALUATE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/identification/*.cpp)))
 RESOURCES := $(sort $(wildcard weights/*.safetensors references/*.json))
 
 .PHONY: all demo demo-run test test-run sanitize bench install uninstall clean deps doodle check-gltf
@@ -109,6 +110,8 @@ $(BUILD)/bench: $(BENCH_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
 
 $(BUILD)/compare_reference: $(COMPARE_OBJECTS) $(BUILD)/libpantin.a
 	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+$(BUILD)/evaluate_identification: $(EVALUATE_OBJECTS) $(BUILD)/libpantin.a
+	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 # Weights and references are compiled in, so that the program is one file that runs anywhere.
 $(BUILD)/resources.S: tools/embed.sh $(RESOURCES) Makefile
@@ -120,7 +123,7 @@ $(BUILD)/resources.o: $(BUILD)/resources.S
 $(BUILD)/%.o: %.cpp
 	@mkdir -p $(@D)
 	$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(FILE_FLAGS) -MMD -MP -c -o $@ $<
--include $(patsubst %.o,%.d,$(LIB_OBJECTS) $(DOODLE_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS) $(COMPARE_OBJECTS) $(BUILD)/src/cli/main.o $(BUILD)/tools/doodle/main.o)
+-include $(patsubst %.o,%.d,$(LIB_OBJECTS) $(DOODLE_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS) $(COMPARE_OBJECTS) $(EVALUATE_OBJECTS) $(BUILD)/src/cli/main.o $(BUILD)/tools/doodle/main.o)
 
 install: $(BUILD)/pantin
 	$(INSTALL) -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib $(DESTDIR)$(PREFIX)/include/pantin
