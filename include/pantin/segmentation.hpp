@@ -22,9 +22,9 @@ inline constexpr std::array<const char*, 8> pose_names = {"E", "NE", "N", "NW", 
 // the silhouette's area.
 //
 // 1. Cut: a region of the mask without ink where p < keep_probability is removed, when it is thicker than
-//    2·tolerance and open to the outside (what the detector's closing bridged: the space between two legs),
-//    or when it is closed, at most hole_cut_share of the mask and its mean p below hole_probability (the
-//    space between arm and body). Inked pixels stay.
+//    2·tolerance and at least open_share of its border lies along the outside (what the detector's closing
+//    bridged: the space between two legs), or when it is more closed, at most hole_cut_share of the mask and
+//    its mean p below hole_probability (the space between arm and body). Inked pixels stay.
 // 2. Fill: a region outside the mask where p ≥ fill_probability is added, when it is thicker than 2·tolerance
 //    (else it is a rim along the outline, or closes a gap between two strokes, which is taken) and at least
 //    enclosed_share of its border lies along the mask: open outlines that the detector left hollow. Were the
@@ -37,6 +37,7 @@ inline constexpr std::array<const char*, 8> pose_names = {"E", "NE", "N", "NW", 
 struct SilhouetteOptions {
     double fill_probability = 0.5;
     double keep_probability = 0.3;
+    double open_share = 0.08;
     double hole_probability = 0.1;
     double hole_cut_share = 0.1;
     double enclosed_share = 0.6;

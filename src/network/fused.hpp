@@ -18,10 +18,11 @@ inline float fused_emulated(float a, float b, float c) {
     // below.
     const double rest = sum - product;
     const double error = (product - (sum - rest)) + (addend - rest);
-    auto bits = std::bit_cast<std::int64_t>(sum);
-    const bool inexact = error < 0 || error > 0;
-    if (inexact && (bits & 1) == 0) bits += (error > 0) == (sum > 0) ? 1 : -1;
-    return static_cast<float>(std::bit_cast<double>(bits));
+    // One step towards the error where the sum is even; without branches, half of them would be mispredicted.
+    const auto bits = std::bit_cast<std::int64_t>(sum);
+    const std::int64_t outwards = (bits ^ std::bit_cast<std::int64_t>(error)) < 0 ? -1 : 1;
+    const bool step = ((error < 0) | (error > 0)) & ((bits & 1) == 0);
+    return static_cast<float>(std::bit_cast<double>(bits + outwards * step));
 }
 
 inline float fused(float a, float b, float c) {

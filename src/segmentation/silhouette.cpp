@@ -19,10 +19,8 @@ template <class Condition> Mask where(const Mask& like, const Condition& conditi
 
 long area(const Mask& mask) { return std::count(mask.begin(), mask.end(), 1); }
 
-// --- fill ------------------------------------------------------------------------------------------------
-
-// The share of a component's border that lies along the mask: pairs of 4-neighbours, one in, one out.
-double enclosed_share(const Components& components, const Component& component, const Mask& mask) {
+// The share of a component's border (pairs of 4-neighbours, one in, one out) that lies along the mask.
+double share_along(const Components& components, const Component& component, const Mask& mask) {
     constexpr int dx[] = {1, 0, -1, 0}, dy[] = {0, 1, 0, -1};
     long border = 0, along = 0;
     const Box& box = component.box;
@@ -38,50 +36,7 @@ double enclosed_share(const Components& components, const Component& component, 
     return static_cast<double>(along) / static_cast<double>(border);
 }
 
-// The mask with the regions that are at least that enclosed, and gaps between strokes.
-Mask fill_enclosed(const Mask& mask, const Mask& likely, const Components& regions,
-                   const std::vector<double>& shares, double least, double radius) {
-    const Mask filled = where(mask, [&](int x, int y) {
-        return mask(x, y) ||
-               (regions.ids(x, y) && shares[static_cast<std::size_t>(regions.ids(x, y)) - 1] >= least);
-    });
-    const Mask closed = close_disc(filled, radius);
-    return where(mask, [&](int x, int y) { return filled(x, y) || (closed(x, y) && likely(x, y)); });
-}
-
-Mask fill_open_outlines(const Mask& mask, const Grid<float>& foreground, const SilhouetteOptions& options,
-                        double radius) {
-    const Mask likely =
-        where(mask, [&](int x, int y) { return foreground(x, y) >= options.fill_probability; });
-    const Mask all = where(mask, [&](int x, int y) { return likely(x, y) || mask(x, y); });
-    const Mask missing = where(mask, [&](int x, int y) { return likely(x, y) && !mask(x, y); });
-    const Components regions = connected_components(open_disc(missing, radius));
-    const Mask near = dilate_disc(mask, radius); // the opening rounds off the region's corners
-    std::vector<double> shares;
-    for (const Component& region : regions.list) shares.push_back(enclosed_share(regions, region, near));
-
-    const double expected = options.hollow_share * static_cast<double>(area(all));
-    for (const double least : {options.enclosed_share, options.enclosed_share / 2}) {
-        const Mask filled = fill_enclosed(mask, likely, regions, shares, least, radius);
-        if (static_cast<double>(area(filled)) >= expected) return filled;
-    }
-    return fill_enclosed(mask, likely, regions, shares, 0, radius);
-}
-
 // --- cut -------------------------------------------------------------------------------------------------
-
-// Whether a pixel of the component has a 4-neighbour outside the mask.
-bool is_open(const Components& doubtful, const Component& component, const Mask& mask) {
-    const Box& box = component.box;
-    for (int y = box.y; y < box.y + box.height; ++y)
-        for (int x = box.x; x < box.x + box.width; ++x) {
-            if (doubtful.ids(x, y) != component.id) continue;
-            if (!mask.value_or(x - 1, y, 0) || !mask.value_or(x + 1, y, 0) || !mask.value_or(x, y - 1, 0) ||
-                !mask.value_or(x, y + 1, 0))
-                return true;
-        }
-    return false;
-}
 
 double mean(const Components& components, const Component& component, const Grid<float>& values) {
     double sum = 0;
@@ -106,12 +61,44 @@ Mask cut_bridged_gaps(const Mask& mask, const Grid<float>& foreground, const Mas
         if (thick.data()[i]) cut[static_cast<std::size_t>(regions.ids.data()[i])] = 1;
     for (const Component& region : regions.list) {
         char& decision = cut[static_cast<std::size_t>(region.id)];
-        if (!decision || is_open(regions, region, mask)) continue;
+        if (!decision || 1 - share_along(regions, region, mask) >= options.open_share) continue;
         decision = region.area <= options.hole_cut_share * whole &&
                    mean(regions, region, foreground) < options.hole_probability;
     }
     return where(
         mask, [&](int x, int y) { return mask(x, y) && !cut[static_cast<std::size_t>(regions.ids(x, y))]; });
+}
+
+// --- fill ------------------------------------------------------------------------------------------------
+
+// The mask with the regions that are at least that enclosed, and gaps between strokes.
+Mask fill_enclosed(const Mask& mask, const Mask& likely, const Components& regions,
+                   const std::vector<double>& shares, double least, double radius) {
+    const Mask filled = where(mask, [&](int x, int y) {
+        return mask(x, y) ||
+               (regions.ids(x, y) && shares[static_cast<std::size_t>(regions.ids(x, y)) - 1] >= least);
+    });
+    const Mask closed = close_disc(filled, radius);
+    return where(mask, [&](int x, int y) { return filled(x, y) || (closed(x, y) && likely(x, y)); });
+}
+
+Mask fill_open_outlines(const Mask& mask, const Grid<float>& foreground, const SilhouetteOptions& options,
+                        double radius) {
+    const Mask likely =
+        where(mask, [&](int x, int y) { return foreground(x, y) >= options.fill_probability; });
+    const Mask all = where(mask, [&](int x, int y) { return likely(x, y) || mask(x, y); });
+    const Mask missing = where(mask, [&](int x, int y) { return likely(x, y) && !mask(x, y); });
+    const Components regions = connected_components(open_disc(missing, radius));
+    const Mask near = dilate_disc(mask, radius); // the opening rounds off the region's corners
+    std::vector<double> shares;
+    for (const Component& region : regions.list) shares.push_back(share_along(regions, region, near));
+
+    const double expected = options.hollow_share * static_cast<double>(area(all));
+    for (const double least : {options.enclosed_share, options.enclosed_share / 2}) {
+        const Mask filled = fill_enclosed(mask, likely, regions, shares, least, radius);
+        if (static_cast<double>(area(filled)) >= expected) return filled;
+    }
+    return fill_enclosed(mask, likely, regions, shares, 0, radius);
 }
 
 // --- one piece -------------------------------------------------------------------------------------------
