@@ -110,7 +110,7 @@ struct Bone {
     int segment = 0;          // 0 = innermost segment of its limb
     bool mirrored = false;    // rotations in the plane change sign
     double phase_shift = 0;   // in cycles: an unmatched limb follows its neighbour half a cycle later
-    double width = 0;         // of the limb around the bone, working pixels
+    double freedom = 1;       // share of a clip's amplitude that suits the limb's shape, 0 … 1
 };
 struct VertexWeights {
     std::array<int, 4> bones{};      // unused: 0

@@ -18,18 +18,6 @@ Point2d direction_of(const Bone& bone) {
     return n > 1e-9 ? Point2d{d.x / n, d.y / n} : Point2d{0, 1};
 }
 
-// A limb as long as it is wide swings a third (a wing, which is broad by nature, two thirds), one of more
-// than two widths swings fully.
-double swing_of(const Rig& rig, int bone) {
-    const Bone& b = rig.bones[bone];
-    if (b.width <= 0 || b.label == Label::head || b.label == Label::body) return 1;
-    double reach = 0;
-    for (const Bone& other : rig.bones) // all bones of the same limb
-        if (other.reference_joint == b.reference_joint && other.width == b.width)
-            reach += distance(other.head, other.tail);
-    return std::clamp(0.35 + 0.5 * (reach / b.width - 1), b.label == Label::wing ? 0.65 : 0.3, 1.0);
-}
-
 // "leg_front_left" belongs to the group "leg".
 std::string group_of(const std::string& joint) { return joint.substr(0, joint.find('_')); }
 
@@ -42,11 +30,8 @@ double first_phase(const ReferenceClip& clip, int joint) {
 class Retargeting {
 public:
     Retargeting(const Rig& rig, const ReferenceSkeleton& reference, const ReferenceClip& clip)
-        : rig_(rig), reference_(reference), clip_(clip), shift_(rig.bones.size()), swing_(rig.bones.size()) {
-        for (std::size_t b = 0; b < rig.bones.size(); ++b) {
-            shift_[b] = rig.bones[b].phase_shift;
-            swing_[b] = swing_of(rig, static_cast<int>(b));
-        }
+        : rig_(rig), reference_(reference), clip_(clip), shift_(rig.bones.size()) {
+        for (std::size_t b = 0; b < rig.bones.size(); ++b) shift_[b] = rig.bones[b].phase_shift;
         for (std::size_t j = 0; j < reference.joints.size(); ++j)
             alternate(group_of(reference.joints[j].name));
         for (std::size_t b = 0; b < rig.bones.size(); ++b)
@@ -60,7 +45,7 @@ public:
         const double side = b.mirrored ? -1 : 1;
         for (const ReferenceTrack& track : clip_.tracks) {
             if (track.joint != b.reference_joint || track.segment != b.segment) continue;
-            const double angle = swing_[bone] * value(track, bone, cycle);
+            const double angle = b.freedom * value(track, bone, cycle);
             if (track.axis == "x") x += angle;
             if (track.axis == "y") y += side * angle;
             if (track.axis == "z") z += side * angle;
@@ -122,7 +107,6 @@ private:
     const ReferenceSkeleton& reference_;
     const ReferenceClip& clip_;
     std::vector<double> shift_; // per bone, in cycles
-    std::vector<double> swing_; // per bone, factor of the amplitude
 };
 
 } // namespace

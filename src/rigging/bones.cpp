@@ -46,6 +46,18 @@ int segments_of(const Limb& limb, int limb_segments) {
            (limb.label == Label::tail && limb_segments > 1 && limb.length() > long_tail * limb.width);
 }
 
+// Short, thick limbs and limbs that lie on the body move less, so that they neither shear nor tear the
+// drawing: one as long as it is wide moves half as far (a wing, broad by nature, two thirds), one of two
+// widths fully; from a quarter of the border in contact with the parent on the swing shrinks to a quarter.
+double freedom_of(const Limb& limb) {
+    if (limb.label == Label::head) return 1;
+    const double slenderness = limb.width > 0 ? limb.length() / limb.width : 2;
+    const double by_shape =
+        std::clamp(0.5 + 0.5 * (slenderness - 1), limb.label == Label::wing ? 0.65 : 0.4, 1.0);
+    const double by_contact = std::clamp(1 - 2.2 * (limb.contact - 0.25), 0.25, 1.0);
+    return by_shape * by_contact;
+}
+
 // The bone of a limb that covers the position.
 int bone_at(const LimbBones& bones, double position) {
     int segment = 0;
@@ -78,7 +90,7 @@ Skeleton make_bones(const Limbs& limbs, const ReferenceSkeleton& reference, bool
             bone.segment = i;
             bone.mirrored = mirrored;
             bone.phase_shift = limb.phase_shift;
-            bone.width = limb.width;
+            bone.freedom = freedom_of(limb);
             skeleton.bones.push_back(bone);
         }
         skeleton.limbs.push_back(placed);

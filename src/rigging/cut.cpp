@@ -12,12 +12,18 @@ const Owner& owner_at(const Grid<Owner>& pixels, Point2d p) {
                   std::clamp(static_cast<int>(std::rint(p.y)), 0, pixels.height() - 1));
 }
 
-// Up to this position a limb is one piece with what it hangs on: the flesh around the attachment, where the
-// border of the labels may run aslant. Broad parts (wings) and heads have long roots.
+constexpr double welded = 0.4; // a limb with this contact share lies on its parent all along
+
+// Up to this position a limb is one piece with its surroundings: the flesh around the attachment, where the
+// border of the labels may run aslant. Broad parts (wings) have long roots.
 double root_zone(const Limb& limb, double cell) {
     const double flesh = 0.75 * limb.width + 2 * cell;
-    if (limb.label == Label::head) return 1e9;
     return limb.label == Label::wing ? std::max(flesh, 0.5 * limb.length()) : flesh;
+}
+
+// Heads, and limbs drawn onto their parent, stay in one piece with it.
+bool beyond_root(const Owner& owner, const Limb& limb, double cell) {
+    return limb.label != Label::head && limb.contact < welded && owner.position > root_zone(limb, cell);
 }
 
 Mesh without_unused(Mesh mesh, std::vector<Owner>& owners) {
@@ -51,13 +57,12 @@ bool far_apart(const Owner& a, const Owner& b, const Limbs& limbs, double cell) 
     if (a.limb == b.limb) return false;
     if (a.limb < 0) return far_apart(b, a, limbs, cell);
     const Limb& limb = limbs.limbs[a.limb];
-    if (b.limb < 0) return a.position > root_zone(limb, cell); // the body
+    if (b.limb < 0) return beyond_root(a, limb, cell); // the body
     const Limb& other = limbs.limbs[b.limb];
-    if (limb.parent == b.limb) return a.position > root_zone(limb, cell);
-    if (other.parent == a.limb) return b.position > root_zone(other, cell);
-    if (limb.label == Label::head || other.label == Label::head) // the head is as rigid as the body
-        return std::max(limb.label == Label::head ? 0 : a.position - root_zone(limb, cell),
-                        other.label == Label::head ? 0 : b.position - root_zone(other, cell)) > 0;
+    if (limb.parent == b.limb) return beyond_root(a, limb, cell);
+    if (other.parent == a.limb) return beyond_root(b, other, cell);
+    if (limb.label == Label::head) return beyond_root(b, other, cell); // the head is as rigid as the body
+    if (other.label == Label::head) return beyond_root(a, limb, cell);
     return a.position + b.position > std::max(root_zone(limb, cell), root_zone(other, cell));
 }
 

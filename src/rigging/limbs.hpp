@@ -19,6 +19,7 @@ struct Limb {
     int parent = -1;              // limb that it hangs from, −1 the body; parents come first
     double parent_position = 0;   // where on the parent's path
     double phase_shift = 0;       // of a follower, in cycles
+    double contact = 0;           // share of the limb's border that meets what it hangs on (contact_shares)
     double width = 0;             // twice the mean distance to the silhouette's border along the path
 
     double length() const { return position.empty() ? 0 : position.back(); }

@@ -107,6 +107,24 @@ Grid<Owner> pixel_owners(const Limbs& limbs, const std::vector<Point2d>& skeleto
     return flood.finish();
 }
 
+std::vector<double> contact_shares(const Limbs& limbs, const Grid<Owner>& owners, const Mask& silhouette) {
+    std::vector<double> contact(limbs.limbs.size(), 0), free(limbs.limbs.size(), 0);
+    for (int y = 0; y < silhouette.height(); ++y)
+        for (int x = 0; x < silhouette.width(); ++x) {
+            const int l = owners(x, y).limb;
+            if (!silhouette(x, y) || l < 0) continue;
+            for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+                if (!silhouette.value_or(x + dx, y + dy, 0))
+                    ++free[l];
+                else if (owners(x + dx, y + dy).limb == limbs.limbs[l].parent)
+                    ++contact[l];
+            }
+        }
+    for (std::size_t l = 0; l < contact.size(); ++l)
+        if (contact[l] > 0) contact[l] /= contact[l] + free[l];
+    return contact;
+}
+
 std::vector<Point2d> skeleton_points(const SkeletonGraph& graph) {
     std::vector<Point2d> points;
     for (const SkeletonVertex& v : graph.vertices) points.push_back({v.x, v.y});

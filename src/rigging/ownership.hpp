@@ -19,6 +19,11 @@ struct Owner {
 Grid<Owner> pixel_owners(const Limbs& limbs, const std::vector<Point2d>& skeleton, const Mask& silhouette,
                          const LabelMap& labels);
 
+// Per limb: of the border of its pixels towards the background and towards the body or the limb that it hangs
+// on, the share of the latter. A leg has little of it, a wing folded on the back or an arm along the body
+// half or more.
+std::vector<double> contact_shares(const Limbs& limbs, const Grid<Owner>& owners, const Mask& silhouette);
+
 // All points of the skeleton graph.
 std::vector<Point2d> skeleton_points(const SkeletonGraph& graph);
 

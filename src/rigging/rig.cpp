@@ -9,9 +9,9 @@
 #include "pantin/rigging.hpp"
 #include "rigging/bones.hpp"
 #include "rigging/cut.hpp"
+#include "rigging/inward_paths.hpp"
 #include "rigging/limbs.hpp"
 #include "rigging/mesh_topology.hpp"
-#include "rigging/inward_paths.hpp"
 #include "rigging/skin_weights.hpp"
 
 namespace pantin {
@@ -99,13 +99,15 @@ void rig_as_in_thesis(Rig& rig, const SkeletonGraph& graph, const LabelMap& labe
 void rig_smoothly(Rig& rig, const SkeletonGraph& graph, const LabelMap& labels, const LabelMap& filled,
                   const ReferenceSkeleton& reference, bool mirrored, const RigOptions& options) {
     const Mask silhouette = silhouette_of(labels);
-    const Limbs limbs = find_limbs(graph, filled, distance_transform(silhouette), reference, rig.mapping);
+    Limbs limbs = find_limbs(graph, filled, distance_transform(silhouette), reference, rig.mapping);
+    const Grid<Owner> pixels = pixel_owners(limbs, skeleton_points(graph), silhouette, filled);
+    const std::vector<double> contact = contact_shares(limbs, pixels, silhouette);
+    for (std::size_t l = 0; l < contact.size(); ++l) limbs.limbs[l].contact = contact[l];
     const Point2d head = centre_of(filled, silhouette, Label::head, limbs.root);
     const Skeleton skeleton =
         make_bones(limbs, reference, mirrored, std::clamp(options.limb_segments, 1, 4), head);
     require_bones(skeleton.bones.size());
     rig.bones = skeleton.bones;
-    const Grid<Owner> pixels = pixel_owners(limbs, skeleton_points(graph), silhouette, filled);
     const double cell = cell_of(rig.mesh);
     std::vector<Owner> owners = vertex_owners(rig.mesh, pixels);
     if (options.mesh.cut_touching_parts) cut_touching_parts(rig.mesh, owners, pixels, limbs, cell);

@@ -165,7 +165,7 @@ TEST_CASE("short limbs swing less, and legs alternate when their number differs 
     };
     const double full = largest(retarget(rig, c.reference, walk), leg);
     for (Bone& bone : rig.bones)
-        if (bone.label == Label::limb) bone.width = 40;
+        if (bone.label == Label::limb) bone.freedom = 0.4;
     CHECK(largest(retarget(rig, c.reference, walk), leg) < 0.5 * full);
 
     Character two = c; // only the two front legs
