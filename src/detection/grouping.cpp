@@ -3,16 +3,20 @@
 // gaps and sizes:
 // 1. Pieces are the 8-connected components of the ink. Dust, paper edges, ruled lines and frames are dropped.
 // 2. What lies inside a piece's outer border (Suzuki & Abe 1985) belongs to it.
-// 3. Neighbouring pieces (whose Voronoi cells touch) are joined in the order of their gaps, shortest first,
+// 3. Open lines that enclose a room together (rooms.hpp) are one outline.
+// 4. Neighbouring pieces (whose Voronoi cells touch) are joined in the order of their gaps, shortest first,
 // when the
-//    gap is small relative to the sizes reached so far (see `belong_together`).
-// 4. Groups that are small beside the largest are dropped.
+//    gap is small relative to the sizes reached so far (`belong_together`): marks by their distance, arcs of
+//    one outline because they enclose a room together (rooms.hpp), closed shapes side by side never.
+// 5. Groups that are small beside the largest are dropped.
 #include "detection/grouping.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
+#include "detection/rooms.hpp"
 #include "pantin/geometry.hpp"
 #include "pantin/image.hpp"
 
@@ -132,73 +136,166 @@ std::vector<Gap> gaps_between(const Components& components, const std::vector<Pi
 }
 
 struct Group {
+    std::vector<int> pieces;
     Box box;
-    double filled = 0; // sum of the pieces' filled areas
-    // A closed shape, not an open line: it fills much of its box.
-    bool solid() const { return filled > 0.25 * box.width * box.height; }
+    double rooms = 0; // area that its ink encloses (rooms.hpp)
+    // A figure that could stand alone, not an open line: a body, or the head of a stick figure with its
+    // lines.
+    bool closed(const DetectionOptions& options) const {
+        return rooms > options.closed_share * diagonal_of(box) * diagonal_of(box);
+    }
 };
-
-// Whether two groups with that gap are parts of one character; a is the larger one.
-bool belong_together(const Group& a, const Group& b, double gap, const DetectionOptions& options) {
-    const double large = diagonal_of(a.box), small = diagonal_of(b.box);
-    // A small mark beside a character: a hand, a hat, a foot.
-    if (small <= options.mark_size * large) return gap <= options.mark_gap * large;
-    // Pieces of one height side by side that are closed shapes: two characters.
-    if (a.solid() && b.solid()) return gap <= options.solid_gap * small;
-    // A head above a body: their columns overlap, their rows hardly.
-    const bool stacked =
-        overlap(a.box.x, a.box.width, b.box.x, b.box.width) > 0.6 * std::min(a.box.width, b.box.width);
-    return gap <= (stacked ? options.stacked_gap : options.open_gap) * small;
-}
 
 class Joiner {
 public:
-    Joiner(const std::vector<Piece>& pieces) : parent_(pieces.size()) {
+    Joiner(const Components& components, const std::vector<Piece>& pieces, const DetectionOptions& options)
+        : components_(components), options_(options), parent_(pieces.size()) {
         std::iota(parent_.begin(), parent_.end(), 0);
-        for (const Piece& piece : pieces) groups_.push_back({piece.box, piece.filled});
+        const double page = diagonal_of({0, 0, components.ids.width(), components.ids.height()});
+        for (int i = 0; i < static_cast<int>(pieces.size()); ++i) {
+            groups_.push_back({{i}, pieces[i].box});
+            // Rooms of small pieces decide nothing.
+            if (!pieces[i].dropped && diagonal_of(pieces[i].box) > 0.03 * page)
+                groups_[i].rooms = rooms_of(groups_[i]);
+        }
     }
     int find(int i) {
         while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
         return i;
     }
     const Group& group(int root) const { return groups_[root]; }
-    void unite(int a, int b, bool inside) {
-        a = find(a), b = find(b);
+
+    void unite_nested(int inner, int outer) {
+        inner = find(inner), outer = find(outer);
+        if (inner != outer) unite(inner, outer, std::max(groups_[inner].rooms, groups_[outer].rooms));
+    }
+    // Open lines around one room are one outline.
+    void unite_around(const std::vector<int>& pieces) {
+        int first = -1;
+        for (int piece : pieces) {
+            const int root = find(piece);
+            if (groups_[root].closed(options_) && root != first) continue;
+            if (first < 0)
+                first = root;
+            else if (root != first)
+                unite(first, root, groups_[first].rooms + groups_[root].rooms), first = find(root);
+        }
+        if (first >= 0) groups_[first].rooms = rooms_of(groups_[first]);
+    }
+    void unite_across(const Gap& gap) {
+        int a = find(gap.a), b = find(gap.b);
         if (a == b) return;
-        const int low = std::min(a, b), high = std::max(a, b);
-        const double filled = inside ? std::max(groups_[low].filled, groups_[high].filled)
-                                     : groups_[low].filled + groups_[high].filled;
-        groups_[low] = {united(groups_[low].box, groups_[high].box), filled};
-        parent_[high] = low;
+        if (diagonal_of(groups_[a].box) < diagonal_of(groups_[b].box)) std::swap(a, b);
+        if (belong_together(groups_[a], groups_[b], gap.width))
+            unite(a, b, groups_[a].rooms + groups_[b].rooms);
     }
 
 private:
+    // Whether two groups with that gap are parts of one character; a is the larger one.
+    bool belong_together(const Group& a, const Group& b, double gap) const {
+        const double large = diagonal_of(a.box), small = diagonal_of(b.box);
+        // A small mark beside a character: a hand, a hat, a foot.
+        if (small <= options_.mark_size * large) return gap <= options_.mark_gap * large;
+        if (gap <= options_.touching_gap * small) return true;
+        const int columns = overlap(a.box.x, a.box.width, b.box.x, b.box.width);
+        const int rows = overlap(a.box.y, a.box.height, b.box.y, b.box.height);
+        const bool stacked = columns > 0.6 * std::min(a.box.width, b.box.width);
+        if (gap > (stacked ? options_.stacked_gap : options_.open_gap) * small) return false;
+        // Two closed figures: a head on its body, else two characters.
+        if (a.closed(options_) && b.closed(options_))
+            return gap <= options_.head_gap * small &&
+                   small <= (stacked ? options_.stacked_head_size : options_.head_size) * large;
+        if (encloses_more(a, b)) return true;
+        // Side by side without enclosing anything together.
+        const bool side_by_side = rows > 0.6 * std::min(a.box.height, b.box.height) &&
+                                  columns <= 0.1 * std::min(a.box.width, b.box.width);
+        return !side_by_side;
+    }
+
+    // Two arcs of one outline enclose together what neither encloses alone.
+    bool encloses_more(const Group& a, const Group& b) const {
+        Group both{a.pieces, united(a.box, b.box)};
+        both.pieces.insert(both.pieces.end(), b.pieces.begin(), b.pieces.end());
+        const double together = rooms_of(both);
+        return together - a.rooms - b.rooms > options_.room_gain * together;
+    }
+
+    double rooms_of(const Group& group) const {
+        const Box& box = group.box;
+        Mask ink(box.width, box.height);
+        for (int y = 0; y < box.height; ++y) {
+            for (int x = 0; x < box.width; ++x) {
+                const int piece = components_.ids(box.x + x, box.y + y) - 1;
+                ink(x, y) = std::find(group.pieces.begin(), group.pieces.end(), piece) != group.pieces.end();
+            }
+        }
+        const Mask rooms = find_rooms(ink);
+        return static_cast<double>(std::count(rooms.begin(), rooms.end(), 1));
+    }
+
+    void unite(int a, int b, double rooms) {
+        const int low = std::min(a, b), high = std::max(a, b);
+        Group& to = groups_[low];
+        to.pieces.insert(to.pieces.end(), groups_[high].pieces.begin(), groups_[high].pieces.end());
+        to.box = united(to.box, groups_[high].box);
+        to.rooms = rooms;
+        groups_[high].pieces.clear();
+        parent_[high] = low;
+    }
+
+    const Components& components_;
+    const DetectionOptions& options_;
     std::vector<int> parent_;
     std::vector<Group> groups_;
 };
 
-// Rule 2, and the area within each piece's outer border.
-std::vector<std::pair<int, int>> nest_pieces(const Components& components, const Mask& ink,
-                                             std::vector<Piece>& pieces) {
+// Pieces that lie in a hole of another (rule 2): {inner, outer}.
+std::vector<std::pair<int, int>> nested_pieces(const Components& components, const Mask& ink) {
     std::vector<std::pair<int, int>> nested;
     const std::vector<Border> borders = follow_borders(ink);
     const auto piece_of = [&](const Border& border) {
         return components.ids(border.points.front().x, border.points.front().y) - 1;
     };
-    for (const Border& border : borders) {
-        if (!border.outer) continue;
-        const int piece = piece_of(border);
-        std::int64_t twice = 0; // shoelace
-        for (std::size_t i = 0; i < border.points.size(); ++i) {
-            const Point2i p = border.points[i], q = border.points[(i + 1) % border.points.size()];
-            twice += std::int64_t{p.x} * q.y - std::int64_t{q.x} * p.y;
-        }
-        pieces[piece].filled =
-            std::max<double>(pieces[piece].ink, 0.5 * static_cast<double>(std::abs(twice)));
-        // The parent of an outer border is the border of the hole that it lies in (−1: the page).
-        if (border.parent >= 0) nested.push_back({piece, piece_of(borders[border.parent])});
-    }
+    // The parent of an outer border is the border of the hole that it lies in (−1: the page).
+    for (const Border& border : borders)
+        if (border.outer && border.parent >= 0)
+            nested.push_back({piece_of(border), piece_of(borders[border.parent])});
     return nested;
+}
+
+// For every room that all kept ink of the page encloses together: the pieces around it, each with a fair
+// share of the room's border.
+std::vector<std::vector<int>> pieces_around_rooms(const Components& components,
+                                                  const std::vector<Piece>& pieces,
+                                                  const DetectionOptions& options) {
+    const int w = components.ids.width(), h = components.ids.height();
+    Mask kept(w, h);
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        const int id = components.ids.data()[i];
+        kept.data()[i] = id != 0 && !pieces[id - 1].dropped;
+    }
+    RoomOptions room_options;
+    room_options.small_ratio = room_options.large_ratio; // shares of the page's hull mean nothing
+    const Components rooms = connected_components(find_rooms(kept, room_options));
+    std::vector<std::map<int, int>> contacts(rooms.list.size()); // piece → pixels of it beside the room
+    for (int y = 0; y < h; ++y) {
+        for (int x = 0; x < w; ++x) {
+            const int piece = kept(x, y) ? components.ids(x, y) - 1 : -1;
+            if (piece < 0) continue;
+            for (Point2i n : {Point2i{x, y - 1}, {x - 1, y}, {x + 1, y}, {x, y + 1}})
+                if (const int room = rooms.ids.value_or(n.x, n.y, 0)) ++contacts[room - 1][piece];
+        }
+    }
+    std::vector<std::vector<int>> around;
+    for (const auto& contact : contacts) {
+        int total = 0;
+        for (const auto& [piece, pixels] : contact) total += pixels;
+        std::vector<int> sharing;
+        for (const auto& [piece, pixels] : contact)
+            if (pixels >= options.contact_share * total) sharing.push_back(piece);
+        if (sharing.size() > 1) around.push_back(sharing);
+    }
+    return around;
 }
 
 } // namespace
@@ -210,16 +307,12 @@ Grouping group_ink(const Mask& ink, const DetectionOptions& options) {
     for (Piece& piece : pieces)
         piece.dropped = is_dust(piece, w, h) || is_page_edge(piece, w, h) || is_ruled_line(piece, w, h) ||
                         is_frame(piece, pieces, w, h);
-    const std::vector<std::pair<int, int>> nested = nest_pieces(components, ink, pieces);
-    Joiner joiner(pieces);
-    for (const auto& [inner, outer] : nested)
-        if (!pieces[inner].dropped && !pieces[outer].dropped) joiner.unite(inner, outer, true);
-    for (const Gap& gap : gaps_between(components, pieces)) {
-        int a = joiner.find(gap.a), b = joiner.find(gap.b);
-        if (a == b) continue;
-        if (diagonal_of(joiner.group(a).box) < diagonal_of(joiner.group(b).box)) std::swap(a, b);
-        if (belong_together(joiner.group(a), joiner.group(b), gap.width, options)) joiner.unite(a, b, false);
-    }
+    Joiner joiner(components, pieces, options);
+    for (const auto& [inner, outer] : nested_pieces(components, ink))
+        if (!pieces[inner].dropped && !pieces[outer].dropped) joiner.unite_nested(inner, outer);
+    for (const std::vector<int>& around : pieces_around_rooms(components, pieces, options))
+        joiner.unite_around(around);
+    for (const Gap& gap : gaps_between(components, pieces)) joiner.unite_across(gap);
 
     double largest = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i)

@@ -12,7 +12,7 @@ struct RoomOptions {
     double small_ratio = 1.5; // for a room of no area
     double large_ratio = 1.1; // for one of at least `large_share`
     double large_share = 0.4; // of the convex hull's area
-    double max_mouth = 0.12;  // half-width of a mouth over the diagonal of the ink's box, at most
+    double max_mouth = 0.2;   // half-width of a mouth over the diagonal of the ink's box, at most
     double corridor = 1.4;    // a corridor leads on while it is no wider than this times its narrowest place
 };
 

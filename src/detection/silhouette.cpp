@@ -30,7 +30,7 @@ std::vector<int> ridge_distances(const Mask& ink) {
 // Strokes that enclose nothing: what an opening wider than the pen removes, but for the crumbs that it leaves
 // at the corners of thick parts.
 Mask single_strokes(const Mask& shape, const Mask& ink, double pen) {
-    const Mask thick = open_disc(shape, 0.75 * pen);
+    const Mask thick = open_disc(shape, pen);
     Mask thin(shape.width(), shape.height());
     for (std::size_t i = 0; i < thin.size(); ++i) thin.data()[i] = shape.data()[i] && !thick.data()[i];
     const Components pieces = connected_components(thin);
@@ -99,10 +99,10 @@ void join_pieces(Mask& shape, double width) {
 double pen_width(const Mask& ink) {
     std::vector<int> ridge = ridge_distances(ink);
     if (ridge.empty()) return 1;
-    const auto quartile = ridge.begin() + static_cast<std::ptrdiff_t>(ridge.size() / 4);
-    std::nth_element(ridge.begin(), quartile, ridge.end());
+    const auto median = ridge.begin() + static_cast<std::ptrdiff_t>(ridge.size() / 2);
+    std::nth_element(ridge.begin(), median, ridge.end());
     const double widest = 0.025 * (ink.width() + ink.height()) / 2;
-    return std::clamp(2 * std::sqrt(static_cast<double>(*quartile)) - 1, 1.0, std::max(1.0, widest));
+    return std::clamp(2 * std::sqrt(static_cast<double>(*median)) - 1, 1.0, std::max(1.0, widest));
 }
 
 Mask silhouette_of(const Mask& ink, const SilhouetteOptions& options) {
