@@ -49,6 +49,7 @@ endif
 ifeq ($(WEBP),1)
   CPPFLAGS += -DPANTIN_WEBP=1
   LDLIBS += -lwebpmux -lwebp
+  TEST_LDLIBS += -lwebpdemux
 endif
 ifeq ($(GIF),1)
   CPPFLAGS += -DPANTIN_GIF=1
@@ -104,7 +105,8 @@ $(BUILD)/libpantin.a: $(LIB_OBJECTS)
 $(BUILD)/doodle: $(BUILD)/tools/doodle/main.o $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
 	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 $(BUILD)/tests: $(TEST_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
-	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	$(CXX) $(LDFLAGS) -o $@ $^ $(TEST_LDLIBS) $(LDLIBS)
+$(BUILD)/tests/%.o: CPPFLAGS += -Itests
 $(BUILD)/bench: $(BENCH_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
 	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 

@@ -61,6 +61,7 @@ struct Settings {
     Options options;
     std::filesystem::path weights;    // folder of segmenter.safetensors; empty: compiled in
     std::filesystem::path references; // folder of more reference skeletons; empty: none
+    std::filesystem::path mapping;    // rig_folder: pairs as in mapping.json instead of matching; empty: match
     int threads = 1;                  // results do not depend on it
     bool trace = false;               // intermediate products are written, too
     RenderRequest render;

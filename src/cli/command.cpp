@@ -140,8 +140,8 @@ void print_result(const CommonOptions& options, const std::string& line) {
     if (!options.quiet) std::printf("%s\n", line.c_str());
 }
 
-void add_folder_command(CLI::App& app, Run& run, const std::string& name, const std::string& description,
-                        FolderStep step) {
+CLI::App* add_folder_command(CLI::App& app, Run& run, const std::string& name, const std::string& description,
+                             FolderStep step) {
     struct Arguments {
         CommonOptions common;
         std::string folder;
@@ -157,6 +157,7 @@ void add_folder_command(CLI::App& app, Run& run, const std::string& name, const 
             return 0;
         };
     });
+    return command;
 }
 
 } // namespace pantin::cli

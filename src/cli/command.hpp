@@ -52,8 +52,8 @@ void add_rig(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
 
 // A subcommand `name` that takes a CHARACTER_DIR and does `step` on it.
-using FolderStep = void (*)(const std::filesystem::path& folder, const Settings& settings);
-void add_folder_command(CLI::App& app, Run& run, const std::string& name, const std::string& description,
-                        FolderStep step);
+using FolderStep = std::function<void(const std::filesystem::path& folder, const Settings& settings)>;
+CLI::App* add_folder_command(CLI::App& app, Run& run, const std::string& name, const std::string& description,
+                             FolderStep step);
 
 } // namespace pantin::cli

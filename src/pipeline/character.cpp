@@ -1,5 +1,7 @@
 #include "pipeline/character.hpp"
 
+#include <algorithm>
+
 #include "core/file.hpp"
 #include "pantin/image.hpp"
 #include "pipeline/json_files.hpp"
@@ -76,12 +78,24 @@ const Identification& identification_of(Character& character, Workshop& workshop
     return *character.identification;
 }
 
+Rig rig_from_mapping(Character& character, Workshop& workshop, const std::filesystem::path& file) {
+    const Identification& identification = identification_of(character, workshop);
+    const ReferenceSkeleton& reference = workshop.reference(identification.reference);
+    const auto chosen =
+        std::find_if(identification.candidates.begin(), identification.candidates.end(),
+                     [&](const Candidate& c) { return c.reference == identification.reference; });
+    const bool mirrored = chosen != identification.candidates.end() && chosen->mirrored;
+    const Mapping mapping =
+        mapping_from_json(read_text(file), file.string(), skeleton_of(character), reference);
+    return rig_with_mapping(skeleton_of(character), labels_of(character), reference, mirrored, mapping,
+                            workshop.options().rigging);
+}
+
 const Rig& rig_of(Character& character, Workshop& workshop) {
     if (!character.rig) {
         const std::filesystem::path file = character.folder / "weights.txt";
         const std::string text = read_text(file);
-        Rig made = rig(skeleton_of(character), labels_of(character), identification_of(character, workshop),
-                       workshop.references(), workshop.options().rigging);
+        Rig made = rig_from_mapping(character, workshop, character.folder / "mapping.json");
         made.weights = weights_from_text(text, file.string(), made);
         character.rig = std::move(made);
     }

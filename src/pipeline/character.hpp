@@ -25,9 +25,11 @@ const Mask& mask_of(Character& character);              // working size
 const LabelMap& labels_of(Character& character);        // of the mask's size
 const SkeletonGraph& skeleton_of(Character& character); // of the labels' size
 const Identification& identification_of(Character& character, Workshop& workshop);
-// Rigged anew from skeleton, labels and identification (a matter of milliseconds); the weights are those of
-// weights.txt, so that weights painted elsewhere can be put there.
+// Rigged anew from skeleton, labels, identification and mapping (a matter of milliseconds); the weights are
+// those of weights.txt, so that mapping and weights can be corrected by hand.
 const Rig& rig_of(Character& character, Workshop& workshop);
+// The rig for the pairs of a mapping.json.
+Rig rig_from_mapping(Character& character, Workshop& workshop, const std::filesystem::path& file);
 
 // Masks have 0 and 255 in files.
 GreyImage to_grey(const Mask& mask);

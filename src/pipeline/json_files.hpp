@@ -28,6 +28,9 @@ Identification identification_from_json(const std::string& text, const std::stri
                                         const std::vector<ReferenceSkeleton>& references);
 
 std::string mapping_to_json(const Mapping& mapping);
+// Pairs and costs; ends are those of the pairs.
+Mapping mapping_from_json(const std::string& text, const std::string& file, const SkeletonGraph& graph,
+                          const ReferenceSkeleton& reference);
 std::string voronoi_to_json(const std::vector<VoronoiEdge>& edges, const std::vector<double>& residuals);
 
 } // namespace pantin

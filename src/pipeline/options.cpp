@@ -58,9 +58,11 @@ template <class Visitor> void visit_rigging(RigOptions& o, Visitor& visit) {
     visit("rigging.unmatched_cost", o.mapping.unmatched_cost, 0, 1000);
     visit("rigging.prior_weight", o.mapping.prior_weight, 0, 1000);
     visit("rigging.cell", o.mesh.cell, 0, 512);
+    visit("rigging.margin", o.mesh.margin, -1, 100);
     visit("rigging.interpolate_distance", o.mesh.interpolate_distance);
+    visit("rigging.cut_touching_parts", o.mesh.cut_touching_parts);
     visit("rigging.thesis_weights", o.thesis_weights);
-    visit("rigging.limb_segments", o.limb_segments, 1, 8);
+    visit("rigging.limb_segments", o.limb_segments, 1, 4);
 }
 
 template <class Visitor> void visit_options(Options& o, Visitor visit) {
@@ -152,6 +154,8 @@ Options make_preset(std::string_view name) {
     options.rigging.mapping.length_in_pixels = true;   // Eq. 4.9, ERRATA 15
     options.rigging.mapping.label_aware = false;       // ERRATA 19
     options.rigging.mesh.interpolate_distance = false; // 4.6: a binary mask, so midpoints (ERRATA 21)
+    options.rigging.mesh.margin = 0;                   // 4.6: the mask itself
+    options.rigging.mesh.cut_touching_parts = false;   // ERRATA 22
     options.rigging.thesis_weights = true;             // Algorithm 4.4
     options.rigging.limb_segments = 1;                 // one bone an end-effector
     return options;

@@ -36,8 +36,10 @@ void run_identify(Character& character, Workshop& workshop) {
 
 void run_rig(Character& character, Workshop& workshop) {
     const Identification& identification = identification_of(character, workshop);
-    Rig result = rig(skeleton_of(character), labels_of(character), identification, workshop.references(),
-                     workshop.options().rigging);
+    const std::filesystem::path& mapping = workshop.settings().mapping;
+    Rig result = mapping.empty() ? rig(skeleton_of(character), labels_of(character), identification,
+                                       workshop.references(), workshop.options().rigging)
+                                 : rig_from_mapping(character, workshop, mapping);
     const ReferenceSkeleton& reference = workshop.reference(identification.reference);
     std::vector<BoneAnimation> animations;
     for (const ReferenceClip& clip : reference.clips)

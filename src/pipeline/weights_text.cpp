@@ -1,4 +1,5 @@
 // Reads weights.txt (docs/formats.md) back: the bones must be those of the rig, every vertex needs its line.
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -75,15 +76,21 @@ private:
         const std::size_t vertex = parse<std::size_t>(next(words, "the vertex"), 1, weights_.size()) - 1;
         if (seen_[vertex]) fail("the vertex occurs twice");
         seen_[vertex] = true;
+        std::vector<std::pair<double, int>> given;
         double sum = 0;
-        std::size_t used = 0;
-        for (std::string word; words >> word; ++used) {
-            if (used == 4) fail("more than four bones move the vertex");
-            weights_[vertex].bones[used] = parse<int>(word, 0, static_cast<int>(rig_.bones.size()) - 1);
-            weights_[vertex].weights[used] = parse<double>(next(words, "a weight"), 0, 1);
-            sum += weights_[vertex].weights[used];
+        for (std::string word; words >> word;) {
+            const int bone = parse<int>(word, 0, static_cast<int>(rig_.bones.size()) - 1);
+            const double weight = parse<double>(next(words, "a weight"), 0, 1);
+            sum += weight;
+            if (weight > 0) given.emplace_back(weight, bone);
         }
+        if (given.size() > 4) fail("more than four bones move the vertex");
         if (!(std::abs(sum - 1) < 1e-6)) fail("the weights of a vertex sum to 1");
+        std::stable_sort(given.begin(), given.end(), [](auto& a, auto& b) { return a.first > b.first; });
+        for (std::size_t k = 0; k < given.size(); ++k) {
+            weights_[vertex].weights[k] = given[k].first;
+            weights_[vertex].bones[k] = given[k].second;
+        }
     }
 };
 

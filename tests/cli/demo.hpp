@@ -1,0 +1,41 @@
+// The demo page animated once, in small, for all tests that look at the results.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "support/folders.hpp"
+#include "support/program.hpp"
+
+namespace pantin::test {
+
+inline const std::string demo_page = "testdata/demo.png";
+// Small films: the rasteriser and the encoders have tests of their own.
+inline const std::vector<std::string> small_films = {"--size", "64", "--fps", "5"};
+
+inline std::vector<std::string> operator+(std::vector<std::string> a, const std::vector<std::string>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+// The folder of `animate demo.png --threads 1`; the same for every caller.
+inline const std::filesystem::path& animated_demo() {
+    static const TemporaryFolder folder;
+    static const std::filesystem::path out = [] {
+        const std::filesystem::path to = folder / "out";
+        const Outcome outcome =
+            run_pantin(std::vector<std::string>{"animate", demo_page, "-o", to.string(), "--threads", "1"} +
+                       small_films);
+        if (outcome.code != 0) throw std::runtime_error("animate demo.png failed: " + outcome.err);
+        return to;
+    }();
+    return out;
+}
+
+// A copy of it to work on.
+inline void copy_demo(const std::filesystem::path& to) {
+    std::filesystem::copy(animated_demo(), to, std::filesystem::copy_options::recursive);
+}
+
+} // namespace pantin::test

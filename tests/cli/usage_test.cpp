@@ -1,0 +1,78 @@
+#include <catch2/catch.hpp>
+
+#include "support/folders.hpp"
+#include "support/program.hpp"
+
+using namespace pantin::test;
+
+namespace {
+
+const std::vector<std::string> commands = {"animate",  "detect", "segment", "skeletonize",
+                                           "identify", "rig",    "render"};
+
+} // namespace
+
+TEST_CASE("Help goes to standard output and is no error", "[cli]") {
+    const Outcome outcome = run_pantin({"--help"});
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.empty());
+    for (const std::string& command : commands) CHECK(outcome.out.find("  " + command) != std::string::npos);
+    CHECK(outcome.out.find("Exit codes") != std::string::npos);
+}
+
+TEST_CASE("Every subcommand has its help", "[cli]") {
+    for (const std::string& command : commands) {
+        CAPTURE(command);
+        const Outcome outcome = run_pantin({command, "--help"});
+        CHECK(outcome.code == 0);
+        CHECK(outcome.err.empty());
+        for (const std::string option :
+             {"--preset", "--config", "--weights", "--references", "--threads", "--trace", "--quiet"})
+            CHECK(outcome.out.find(option) != std::string::npos);
+    }
+}
+
+TEST_CASE("The version is one line on standard output", "[cli]") {
+    const Outcome outcome = run_pantin({"--version"});
+    CHECK(outcome.code == 0);
+    CHECK(outcome.out == "pantin " PANTIN_VERSION "\n");
+    CHECK(outcome.err.empty());
+}
+
+TEST_CASE("A wrong command line is one line on standard error and exit code 2", "[cli]") {
+    const TemporaryFolder folder;
+    const std::string out = (folder / "out").string();
+    const std::vector<std::string> line = GENERATE_COPY(values<std::vector<std::string>>({
+        {},
+        {"dance"},
+        {"animate"},
+        {"animate", "page.png"},
+        {"detect", "page.png", "-o"},
+        {"animate", "page.png", "-o", out, "--colour", "red"},
+        {"animate", "page.png", "-o", out, "--threads", "0"},
+        {"animate", "page.png", "-o", out, "--threads", "many"},
+        {"animate", "page.png", "-o", out, "--preset", "best"},
+        {"animate", "page.png", "-o", out, "--format", "mp4"},
+        {"animate", "page.png", "-o", out, "--fps", "0"},
+        {"animate", "page.png", "-o", out, "--fps", "nan"},
+        {"animate", "page.png", "-o", out, "--size", "1000000"},
+        {"animate", "page.png", "-o", out, "--background", "#12345"},
+        {"animate", "page.png", "-o", out, "--background", "#12345g"},
+        {"segment"},
+        {"segment", "one", "two"},
+    }));
+    CAPTURE(line);
+    const Outcome outcome = run_pantin(line);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.starts_with("pantin: "));
+    CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
+    CHECK_FALSE(std::filesystem::exists(out));
+}
+
+TEST_CASE("Standard output that cannot be written is an output error", "[cli]") {
+    if (!std::filesystem::exists("/dev/full")) return;
+    const Outcome outcome = run_pantin({"--help"}, {}, "/dev/full");
+    CHECK(outcome.code == 6);
+    CHECK(outcome.err == "pantin: standard output: cannot be written\n");
+}

@@ -1,0 +1,100 @@
+#include <catch2/catch.hpp>
+
+#include <map>
+
+#include "pantin/pipeline.hpp"
+#include "support/folders.hpp"
+
+using namespace pantin;
+using namespace pantin::test;
+
+namespace {
+
+std::map<std::string, std::string> values_of(const Options& options) {
+    const auto list = list_options(options);
+    return {list.begin(), list.end()};
+}
+
+std::string config_error(const std::string& json) {
+    const TemporaryFolder folder;
+    write(folder / "config.json", json);
+    Options options;
+    try {
+        apply_config(options, folder / "config.json");
+    } catch (const Error& error) {
+        CHECK(error.kind() == ErrorKind::input);
+        const std::string message = error.what(), file = (folder / "config.json").string();
+        REQUIRE(message.starts_with(file + ": "));
+        return message.substr(file.size() + 2);
+    }
+    return "no error";
+}
+
+} // namespace
+
+TEST_CASE("A configuration sets options by name, nested or dotted, and leaves the others", "[pipeline]") {
+    const TemporaryFolder folder;
+    write(folder / "config.json", R"({"skeletonization": {"residual": "arc", "residual_threshold": 12.5},
+                                      "identification.use_evidence": false, "rigging": {"limb_segments": 3}})");
+    Options options;
+    apply_config(options, folder / "config.json");
+    auto expected = values_of(Options{});
+    expected["skeletonization.residual"] = "\"arc\"";
+    expected["skeletonization.residual_threshold"] = "12.5";
+    expected["identification.use_evidence"] = "false";
+    expected["rigging.limb_segments"] = "3";
+    CHECK(values_of(options) == expected);
+    CHECK(options.skeletonization.residual == Residual::arc);
+}
+
+TEST_CASE("What list_options prints is a configuration", "[pipeline]") {
+    const TemporaryFolder folder;
+    const Options thesis = make_preset("thesis");
+    std::string json;
+    for (const auto& [name, value] : list_options(thesis))
+        json += (json.empty() ? "{\"" : ",\"") + name + "\":" + value;
+    write(folder / "config.json", json + "}");
+    Options options;
+    apply_config(options, folder / "config.json");
+    CHECK(list_options(options) == list_options(thesis));
+}
+
+TEST_CASE("A wrong configuration is an error that names the file and the option", "[pipeline]") {
+    CHECK(config_error(R"({"skeletonization": {"colour": 1}})") ==
+          "there is no option 'skeletonization.colour'");
+    CHECK(config_error(R"({"skeletonization": 1})") == "there is no option 'skeletonization'");
+    CHECK(config_error(R"({"skeletonization": {"residual_threshold": "wide"}})") ==
+          "skeletonization.residual_threshold: must be a number");
+    CHECK(config_error(R"({"skeletonization": {"residual": "angle"}})") ==
+          "skeletonization.residual: must be arc or chord");
+    CHECK(config_error(R"({"rigging": {"limb_segments": 1.5}})") ==
+          "rigging.limb_segments: must be a whole number");
+    CHECK(config_error(R"({"detection": {"working_size": 1000000}})") ==
+          "detection.working_size: must lie between 64 and 2048");
+    CHECK(config_error(R"({"identification": {"use_ilp": 1}})") ==
+          "identification.use_ilp: must be true or false");
+    CHECK(config_error(R"({"rigging.alpha": 1, "rigging": {"alpha": 2}})") ==
+          "rigging.alpha: is given twice");
+    CHECK(config_error("[]") == "must be an object");
+    CHECK(config_error("{\"rigging\":") == "not valid JSON (line 1)");
+    CHECK(config_error("") == "not valid JSON (line 1)");
+    std::string deep;
+    for (int i = 0; i < 10000; ++i) deep += "{\"a\":";
+    CHECK(config_error(deep + "1" + std::string(10000, '}')).find("is nested too deeply") !=
+          std::string::npos);
+}
+
+TEST_CASE("The thesis preset is the paper: arc residual, 321 pixels, holes kept, its score", "[pipeline]") {
+    const Options thesis = make_preset("thesis");
+    CHECK(thesis.detection.working_size == 321);
+    CHECK(thesis.skeletonization.residual == Residual::arc);
+    CHECK(thesis.skeletonization.residual_threshold == 30);
+    CHECK(thesis.skeletonization.merge_distance == 5);
+    CHECK(thesis.skeletonization.fill_holes_share == 0);
+    CHECK(thesis.identification.thesis_score);
+    CHECK_FALSE(thesis.identification.use_evidence);
+    CHECK(thesis.rigging.thesis_weights);
+    CHECK(thesis.rigging.mapping.length_in_pixels);
+    CHECK_FALSE(thesis.rigging.mesh.interpolate_distance);
+    CHECK_THROWS_AS(make_preset("fast"), Error);
+}
