@@ -1,15 +1,13 @@
 // Step 6: the clips as frames, and the frames as files. Frames do not depend on each other, so threads share
 // them out.
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdio>
-#include <exception>
-#include <thread>
 
 #include "core/file.hpp"
 #include "pantin/export.hpp"
 #include "pantin/image.hpp"
+#include "pantin/network.hpp"
 #include "pipeline/stages.hpp"
 
 namespace pantin {
@@ -17,25 +15,6 @@ namespace pantin {
 namespace fs = std::filesystem;
 
 namespace {
-
-// Calls work(i) for 0 ≤ i < count; what one thread throws is thrown here.
-template <class Work> void share_out(std::size_t count, int threads, Work work) {
-    std::atomic<std::size_t> next{0};
-    std::vector<std::exception_ptr> errors(static_cast<std::size_t>(std::max(1, threads)));
-    const auto run = [&](std::size_t thread) {
-        try {
-            for (std::size_t i = next++; i < count; i = next++) work(i);
-        } catch (...) {
-            errors[thread] = std::current_exception();
-        }
-    };
-    std::vector<std::thread> helpers;
-    for (std::size_t t = 1; t < errors.size() && t < count; ++t) helpers.emplace_back(run, t);
-    run(0);
-    for (std::thread& helper : helpers) helper.join();
-    for (const std::exception_ptr& error : errors)
-        if (error) std::rethrow_exception(error);
-}
 
 // A clip as frames of one loop, and their rate: a whole number of frames that fills the clip's duration.
 struct Film {
@@ -49,7 +28,9 @@ Film shoot(const Rig& rig, const BoneAnimation& animation, const RgbaImage& text
     Film film;
     film.frames.resize(static_cast<std::size_t>(std::max(1.0, wanted)));
     film.fps = static_cast<double>(film.frames.size()) / animation.duration;
-    share_out(film.frames.size(), settings.threads, [&](std::size_t i) {
+    const network::Runtime runtime(settings.threads);
+    runtime.parallel_for(static_cast<int>(film.frames.size()), [&](int frame) {
+        const auto i = static_cast<std::size_t>(frame);
         const double time =
             animation.duration * static_cast<double>(i) / static_cast<double>(film.frames.size());
         film.frames[i] =
@@ -81,6 +62,7 @@ void write_frames(const fs::path& folder, const std::vector<RgbaImage>& frames) 
 }
 
 std::vector<ReferenceClip> chosen_clips(const ReferenceSkeleton& reference, const std::string& wanted) {
+    if (reference.clips.empty()) throw CharacterRejected("render", "the " + reference.name + " has no clips");
     if (wanted == "all") return reference.clips;
     std::string names;
     for (const ReferenceClip& clip : reference.clips) {

@@ -1,0 +1,123 @@
+// Golden digests of every file of the demo page (docs/determinism.md says what is digested, and how to update
+// them).
+#include <catch2/catch.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+
+#include "cli/demo.hpp"
+#include "pantin/image.hpp"
+#include "support/films.hpp"
+#include "support/glb_file.hpp"
+
+using namespace pantin;
+using namespace pantin::test;
+
+namespace {
+
+const std::string golden_file = "tests/golden/demo.txt";
+
+// FNV-1a, 64 bits.
+class Digest {
+public:
+    void add(const void* data, std::size_t size) {
+        const auto* bytes = static_cast<const unsigned char*>(data);
+        for (std::size_t i = 0; i < size; ++i) hash_ = (hash_ ^ bytes[i]) * 0x100000001b3u;
+    }
+    void add(const std::string& text) { add(text.data(), text.size()); }
+    void add(int number) { add(std::to_string(number) + ";"); }
+    template <class Pixel> void add(const Grid<Pixel>& image) {
+        add(image.width());
+        add(image.height());
+        add(image.data(), image.size() * sizeof(Pixel));
+    }
+    void add(const Film& film) {
+        for (std::size_t i = 0; i < film.frames.size(); ++i) {
+            add(film.frames[i]);
+            add(film.delays[i]);
+        }
+    }
+    std::string text() const {
+        char digits[17];
+        std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash_));
+        return digits;
+    }
+
+private:
+    std::uint64_t hash_ = 0xcbf29ce484222325u;
+};
+
+// The picture's encoded bytes, and the lengths that they decide, are left out; its pixels are put in.
+void add_glb(Digest& digest, const std::vector<unsigned char>& bytes) {
+    GlbFile glb(bytes);
+    auto& views = glb.json["bufferViews"];
+    auto& picture = views[glb.json["images"][0]["bufferView"].get<std::size_t>()];
+    const auto offset = picture["byteOffset"].get<std::size_t>(),
+               length = picture["byteLength"].get<std::size_t>();
+    const TemporaryFolder folder;
+    write(folder / "picture.png", {reinterpret_cast<const char*>(glb.binary.data()) + offset, length});
+    digest.add(load_image(folder / "picture.png", 1));
+    digest.add(glb.binary.data(), offset);
+    picture.erase("byteLength");
+    glb.json.erase("buffers");
+    glb.json["asset"].erase("generator");
+    digest.add(glb.json.dump());
+}
+
+std::string digest_of(const std::string& name, const std::string& bytes) {
+    Digest digest;
+    const std::vector<unsigned char> data(bytes.begin(), bytes.end());
+    if (name.ends_with(".png"))
+        digest.add(load_image(animated_demo() / name, 1));
+    else if (name.ends_with(".glb"))
+        add_glb(digest, data);
+#ifdef PANTIN_WEBP
+    else if (name.ends_with(".webp"))
+        digest.add(read_webp(data));
+#endif
+#ifdef PANTIN_GIF
+    else if (name.ends_with(".gif"))
+        digest.add(read_gif(data));
+#endif
+    else
+        digest.add(bytes);
+    return digest.text();
+}
+
+std::map<std::string, std::string> read_golden() {
+    std::map<std::string, std::string> golden;
+    std::istringstream lines(read(golden_file));
+    for (std::string line; std::getline(lines, line);) {
+        if (line.empty() || line[0] == '#') continue;
+        golden[line.substr(18)] = line.substr(0, 16);
+    }
+    return golden;
+}
+
+} // namespace
+
+TEST_CASE("Every file of the demo page has its golden digest", "[cli][end-to-end][golden]") {
+    std::map<std::string, std::string> found;
+    for (const auto& [name, bytes] : read_all(animated_demo())) found[name] = digest_of(name, bytes);
+    if (std::getenv("PANTIN_UPDATE_GOLDEN")) {
+        std::string text = "# pantin animate testdata/demo.png --size 64 --fps 5; see docs/determinism.md\n";
+        for (const auto& [name, digest] : found) text += digest + "  " + name + "\n";
+        write(golden_file, text);
+    }
+    const auto golden = read_golden();
+    for (const auto& [name, digest] : golden) {
+        // A program that was built without an encoder lacks its films, nothing else.
+#ifndef PANTIN_WEBP
+        if (name.ends_with(".webp")) continue;
+#endif
+#ifndef PANTIN_GIF
+        if (name.ends_with(".gif")) continue;
+#endif
+        CAPTURE(name);
+        CHECK(found.count(name) == 1);
+        CHECK(found[name] == digest);
+        found.erase(name);
+    }
+    CHECK(found.empty());
+}

@@ -1,0 +1,51 @@
+// The network kernel: the plain loops that define a convolution beside the vectorised one on every
+// instruction set.
+#include <cstdio>
+
+#include "bench.hpp"
+#include "core/random.hpp"
+#include "network/reference.hpp"
+#include "pantin/network.hpp"
+
+namespace pantin::bench {
+
+namespace {
+
+network::Tensor random_tensor(int channels, int side, Random& random) {
+    network::Tensor tensor(1, channels, side, side);
+    for (float& value : tensor) value = static_cast<float>(random.normal());
+    return tensor;
+}
+
+network::Filters random_filters(int out, int in, Random& random) {
+    network::Filters filters{out, in, 3, 3, {}, {}};
+    for (int i = 0; i < out * in * 9; ++i) filters.weights.push_back(static_cast<float>(random.normal()));
+    for (int i = 0; i < out; ++i) filters.bias.push_back(static_cast<float>(random.normal()));
+    return filters;
+}
+
+} // namespace
+
+void bench_kernel(int rounds) {
+    Random random(1);
+    constexpr int channels = 40, side = 64;
+    const network::Tensor input = random_tensor(channels, side, random);
+    const network::Filters filters = random_filters(channels, channels, random);
+    network::ConvolutionOptions options;
+    options.padding = 1;
+    const network::Convolution convolution(filters, options);
+    std::vector<Contender> contenders = {
+        {"plain loops", [&] { network::reference::convolution(input, filters, options); }}};
+    for (const network::Simd simd : network::all_simd) {
+        if (!network::simd_supported(simd)) continue;
+        contenders.push_back({std::string(network::name_of(simd)),
+                              [&, simd] { convolution.forward(input, network::Runtime(1, simd)); }});
+    }
+    char title[120];
+    std::snprintf(title, sizeof title,
+                  "convolution 3x3, %d to %d channels, %dx%d, %.0f million multiply-adds", channels, channels,
+                  side, side, static_cast<double>(convolution.operations(side, side)) / 1e6);
+    compare(title, contenders, rounds);
+}
+
+} // namespace pantin::bench
