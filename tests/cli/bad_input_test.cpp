@@ -78,7 +78,7 @@ TEST_CASE("Weights that are missing or damaged are exit code 5, before anything 
     check_one_line(run_pantin({"animate", page, "-o", out, "--weights", (folder / "none").string()}), 5,
                    "segmenter.safetensors");
     const std::filesystem::path file = folder / "segmenter.safetensors";
-    for (const std::string bytes : {std::string(), std::string("no weights"), std::string(4096, '\xff'),
+    for (const std::string& bytes : {std::string(), std::string("no weights"), std::string(4096, '\xff'),
                                     std::string("\x02\0\0\0\0\0\0\0{}", 10)}) {
         write(file, bytes);
         check_one_line(run_pantin({"animate", page, "-o", out, "--weights", folder.path().string()}), 5,
