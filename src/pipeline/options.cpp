@@ -21,6 +21,35 @@ using Json = nlohmann::ordered_json;
 template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visit) {
     visit("detection.working_size", o.working_size, 64, 2048);
     visit("detection.max_characters", o.max_characters, 1, 64);
+    visit("detection.ink_contrast", o.ink_contrast, 0, 1);
+    visit("detection.lightest_stroke", o.lightest_stroke, 0, 1);
+    visit("detection.filled_darkness", o.filled_darkness, 0, 1);
+    visit("detection.threshold_windows", o.threshold_windows, 1, 1000);
+    visit("detection.grouping_size", o.grouping_size, 64, 4096);
+    visit("detection.mark_size", o.mark_size, 0, 1);
+    visit("detection.mark_gap", o.mark_gap, 0, 1);
+    visit("detection.solid_gap", o.solid_gap, 0, 1);
+    visit("detection.open_gap", o.open_gap, 0, 1);
+    visit("detection.stacked_gap", o.stacked_gap, 0, 1);
+    visit("detection.min_share", o.min_share, 0, 1);
+    visit("detection.min_side", o.min_side, 1, 16384);
+}
+
+template <class Visitor> void visit_segmentation(SegmentationOptions& o, Visitor& visit) {
+    visit("segmentation.grey_erosion", o.grey_erosion);
+    visit("segmentation.fill_probability", o.silhouette.fill_probability, 0, 1);
+    visit("segmentation.keep_probability", o.silhouette.keep_probability, 0, 1);
+    visit("segmentation.hole_probability", o.silhouette.hole_probability, 0, 1);
+    visit("segmentation.hole_cut_share", o.silhouette.hole_cut_share, 0, 1);
+    visit("segmentation.enclosed_share", o.silhouette.enclosed_share, 0, 1);
+    visit("segmentation.hollow_share", o.silhouette.hollow_share, 0, 1);
+    visit("segmentation.ink_darkness", o.silhouette.ink_darkness, 0, 1);
+    visit("segmentation.tolerance", o.silhouette.tolerance, 0, 1);
+    visit("segmentation.piece_share", o.silhouette.piece_share, 0, 1);
+    visit("segmentation.bridge_length", o.silhouette.bridge_length, 0, 1);
+    visit("segmentation.hole_share", o.silhouette.hole_share, 0, 1);
+    visit("segmentation.part_probability", o.silhouette.part_probability, 0, 1);
+    visit("segmentation.speck_share", o.silhouette.speck_share, 0, 1);
 }
 
 template <class Visitor> void visit_skeletonization(SkeletonizationOptions& o, Visitor& visit) {
@@ -67,6 +96,7 @@ template <class Visitor> void visit_rigging(RigOptions& o, Visitor& visit) {
 
 template <class Visitor> void visit_options(Options& o, Visitor visit) {
     visit_detection(o.detection, visit);
+    visit_segmentation(o.segmentation, visit);
     visit_skeletonization(o.skeletonization, visit);
     visit_identification(o.identification, visit);
     visit_rigging(o.rigging, visit);
@@ -145,6 +175,8 @@ Options make_preset(std::string_view name) {
                     "--preset: there is no preset '" + std::string(name) + "' (default, thesis)");
     options.detection.working_size = 321;              // ch. 5: the network's input
     options.skeletonization.residual = Residual::arc;  // 3.4, ERRATA 1
+    options.skeletonization.recover_parts_share = 0;
+    options.skeletonization.cut_cycles = false;
     options.skeletonization.fill_holes_share = 0;      // ERRATA 4: holes are kept
     options.skeletonization.recover_parts_share = 0;
     options.skeletonization.cut_cycles = false;

@@ -98,3 +98,14 @@ TEST_CASE("The thesis preset is the paper: arc residual, 321 pixels, holes kept,
     CHECK_FALSE(thesis.rigging.mesh.interpolate_distance);
     CHECK_THROWS_AS(make_preset("fast"), Error);
 }
+
+TEST_CASE("docs/formats.md lists every option with its value in both presets", "[pipeline]") {
+    const std::string document = read("docs/formats.md");
+    const auto thesis = values_of(make_preset("thesis"));
+    std::string table = "| option | `default` | `thesis` |\n|---|---|---|\n";
+    for (const auto& [name, value] : list_options(make_preset("default")))
+        table += "| `" + name + "` | " + value + " | " + (thesis.at(name) == value ? "" : thesis.at(name)) +
+                 " |\n";
+    INFO("the table must be:\n" << table);
+    CHECK(document.find(table) != std::string::npos);
+}
