@@ -86,9 +86,7 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
 
 void add_render_options(CLI::App& command, RenderFlags& flags) {
     command.add_option("--clip", flags.clip, "a clip of the reference, or all")->capture_default_str();
-    command.add_option("--fps", flags.fps, "frames per second")
-        ->check(CLI::Range(1.0, 100.0))
-        ->capture_default_str();
+    command.add_option("--fps", flags.fps, "frames per second, 1 to 100")->capture_default_str();
     command.add_option("--size", flags.size, "longer side of the frames in pixels")
         ->check(CLI::Range(16, 4096))
         ->capture_default_str();
@@ -110,6 +108,8 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
     settings.threads = options.threads > 0 ? options.threads : static_cast<int>(std::min(cores, 256u));
     settings.trace = options.trace;
     check_formats(flags.formats);
+    if (!(flags.fps >= 1 && flags.fps <= 100))
+        throw Error(ErrorKind::usage, "--fps: must lie between 1 and 100");
     settings.render.clip = flags.clip;
     settings.render.fps = flags.fps;
     settings.render.formats = flags.formats;

@@ -173,11 +173,11 @@ Options make_preset(std::string_view name) {
     if (name != "thesis")
         throw Error(ErrorKind::usage,
                     "--preset: there is no preset '" + std::string(name) + "' (default, thesis)");
-    options.detection.working_size = 321;              // ch. 5: the network's input
-    options.skeletonization.residual = Residual::arc;  // 3.4, ERRATA 1
+    options.detection.working_size = 321;             // ch. 5: the network's input
+    options.skeletonization.residual = Residual::arc; // 3.4, ERRATA 1
     options.skeletonization.recover_parts_share = 0;
     options.skeletonization.cut_cycles = false;
-    options.skeletonization.fill_holes_share = 0;      // ERRATA 4: holes are kept
+    options.skeletonization.fill_holes_share = 0; // ERRATA 4: holes are kept
     options.skeletonization.recover_parts_share = 0;
     options.skeletonization.cut_cycles = false;
     options.identification.thesis_score = true;        // Eq. 4.3–4.7, K_v of ch. 5, ERRATA 8

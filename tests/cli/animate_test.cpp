@@ -276,41 +276,48 @@ TEST_CASE("A second run replaces the characters of the first and leaves other fi
 TEST_CASE("Several pages go to a folder each, and a bad one does not stop the others", "[cli][end-to-end]") {
     const TemporaryFolder folder;
     const fs::path out = folder / "out";
+    fs::create_directory(folder / "more");
+    fs::copy(small_page, folder / "more/humanoid.png");
     const Outcome outcome =
-        run_pantin(std::vector<std::string>{"animate", (folder / "missing.png").string(), demo_page, "-o",
-                                            out.string(), "--clip", "idle", "--format", "png"} +
+        run_pantin(std::vector<std::string>{"animate", (folder / "missing.png").string(), small_page,
+                                            (folder / "more/humanoid.png").string(), "-o", out.string(),
+                                            "--clip", "idle", "--format", "png"} +
                    small_films);
     CHECK(outcome.code == 0);
     CHECK(outcome.err.starts_with("pantin: "));
     CHECK(outcome.err.find("missing.png") != std::string::npos);
-    CHECK(fs::exists(out / "demo/page.json"));
-    CHECK(fs::exists(out / "demo/character-1/frames/idle/0001.png"));
-    CHECK_FALSE(fs::exists(out / "demo/character-1/animation.webp"));
+    CHECK(fs::exists(out / "humanoid/character-1/frames/idle/0001.png"));
+    CHECK_FALSE(fs::exists(out / "humanoid/character-1/animation.webp"));
+    CHECK((read_all(out / "humanoid") == read_all(out / "humanoid-2")));
 }
 
 TEST_CASE("--trace adds the intermediate products and changes nothing else", "[cli][end-to-end]") {
     const TemporaryFolder folder;
-    const fs::path out = folder / "out";
-    REQUIRE(run_pantin(std::vector<std::string>{"animate", demo_page, "-o", out.string(), "--trace"} +
-                       small_films)
-                .code == 0);
-    auto files = read_all(out);
+    const auto files_of = [&](const std::string& name, const std::vector<std::string>& more) {
+        const fs::path out = folder / name;
+        const Outcome outcome = run_pantin(
+            std::vector<std::string>{"animate", small_page, "-o", out.string()} + small_films + more);
+        REQUIRE(outcome.code == 0);
+        return read_all(out);
+    };
+    auto traced = files_of("traced", {"--trace"});
     for (const std::string file : {"silhouette.png", "voronoi.json", "voronoi.png", "thinned.png",
                                    "skeleton-raw.json", "skeleton-h1.json", "probability-head.png"})
-        CHECK(files.count("character-1/trace/" + file) == 1);
-    CHECK(files.count("trace/ink.png") == 1);
-    std::erase_if(files, [](const auto& file) { return file.first.find("trace/") != std::string::npos; });
-    CHECK((files == read_all(animated_demo())));
+        CHECK(traced.count("character-1/trace/" + file) == 1);
+    CHECK(traced.count("trace/ink.png") == 1);
+    std::erase_if(traced, [](const auto& file) { return file.first.find("trace/") != std::string::npos; });
+    CHECK((traced == files_of("plain", {})));
 }
 
 TEST_CASE("The thesis preset runs end to end at its own size", "[cli][end-to-end]") {
     const TemporaryFolder folder;
     const fs::path out = folder / "out";
     const Outcome outcome =
-        run_pantin(std::vector<std::string>{"animate", demo_page, "-o", out.string(), "--preset", "thesis"} +
+        run_pantin(std::vector<std::string>{"animate", small_page, "-o", out.string(), "--preset", "thesis"} +
                    small_films);
     CAPTURE(outcome.err);
     CHECK(outcome.code == 0);
     const GreyImage labels = load_grey(out / "character-1/labels.png");
     CHECK(std::max(labels.width(), labels.height()) <= 321);
+    CHECK(json_of(out / "character-1/identification.json")["candidates"].at(0)["evidence"].empty());
 }

@@ -79,7 +79,7 @@ TEST_CASE("Weights that are missing or damaged are exit code 5, before anything 
                    "segmenter.safetensors");
     const std::filesystem::path file = folder / "segmenter.safetensors";
     for (const std::string& bytes : {std::string(), std::string("no weights"), std::string(4096, '\xff'),
-                                    std::string("\x02\0\0\0\0\0\0\0{}", 10)}) {
+                                     std::string("\x02\0\0\0\0\0\0\0{}", 10)}) {
         write(file, bytes);
         check_one_line(run_pantin({"animate", page, "-o", out, "--weights", folder.path().string()}), 5,
                        "segmenter.safetensors");

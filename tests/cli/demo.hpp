@@ -11,6 +11,7 @@
 namespace pantin::test {
 
 inline const std::string demo_page = "testdata/demo.png";
+inline const std::string small_page = "testdata/humanoid.png"; // one character
 // Small films: the rasteriser and the encoders have tests of their own.
 inline const std::vector<std::string> small_films = {"--size", "64", "--fps", "5"};
 

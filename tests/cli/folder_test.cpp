@@ -128,40 +128,46 @@ TEST_CASE("A folder stands alone, without page.json, too", "[cli][end-to-end]") 
     CHECK_FALSE(fs::exists(demo.out / "page.json"));
 }
 
-TEST_CASE("A blob beside a character is left behind with a reason, alone it is exit code 7",
+TEST_CASE("A head, a scribble and a blob are left behind with a reason, the cat beside them is animated",
           "[cli][end-to-end]") {
     const TemporaryFolder folder;
-    const RgbImage demo = load_image(demo_page);
-    RgbImage page(demo.width() + 300, std::max(demo.height(), 300), Rgb8{255, 255, 255}),
-        alone(300, 300, Rgb8{255, 255, 255});
-    for (int y = 0; y < demo.height(); ++y)
-        for (int x = 0; x < demo.width(); ++x) page(x, y) = demo(x, y);
-    // A ring of ink, four pixels wide.
+    const fs::path out = folder / "out";
+    const Outcome outcome = run_pantin(
+        std::vector<std::string>{"animate", "testdata/rejects.png", "-o", out.string()} + small_films);
+    CHECK(outcome.code == 0);
+    const auto page = nlohmann::json::parse(read(out / "page.json"));
+    REQUIRE(page["characters"].size() == 4);
+    std::size_t fine = 0;
+    for (const auto& character : page["characters"]) {
+        const std::string status = character["status"];
+        const fs::path glb = out / character["folder"].get<std::string>() / "character.glb";
+        CHECK(fs::exists(glb) == (status == "ok"));
+        if (status == "ok")
+            ++fine;
+        else
+            CHECK(status.find(": ") != std::string::npos);
+    }
+    CHECK(fine == 1);
+}
+
+TEST_CASE("A page where no character can be animated is exit code 7 and says why", "[cli][end-to-end]") {
+    const TemporaryFolder folder;
+    RgbImage page(300, 300, Rgb8{255, 255, 255});
     for (int y = 0; y < 300; ++y)
         for (int x = 0; x < 300; ++x) {
             const int d = (x - 150) * (x - 150) + (y - 150) * (y - 150);
-            if (d < 96 * 96 || d > 100 * 100) continue;
-            page(demo.width() + x, y) = alone(x, y) = {20, 20, 20};
+            if (d >= 96 * 96 && d <= 100 * 100) page(x, y) = {20, 20, 20}; // a ring of ink
         }
-    save_png(folder / "page.png", page);
-    save_png(folder / "alone.png", alone);
-
-    const Outcome one = run_pantin(std::vector<std::string>{"animate", (folder / "alone.png").string(), "-o",
-                                                            (folder / "alone").string()} +
-                                   small_films);
-    CHECK(one.code == 7);
-    CHECK(one.err.find('\n') == one.err.size() - 1);
-    const auto status = nlohmann::json::parse(read(folder / "alone/page.json"))["characters"][0]["status"];
+    save_png(folder / "ring.png", page);
+    const fs::path out = folder / "out";
+    const Outcome outcome =
+        run_pantin(std::vector<std::string>{"animate", (folder / "ring.png").string(), "-o", out.string()} +
+                   small_films);
+    CHECK(outcome.code == 7);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
+    const std::string status = nlohmann::json::parse(read(out / "page.json"))["characters"][0]["status"];
     CHECK(status != "ok");
-    CHECK(one.err.find(status.get<std::string>()) != std::string::npos);
-
-    const Outcome all = run_pantin(
-        std::vector<std::string>{"animate", (folder / "page.png").string(), "-o", (folder / "all").string()} +
-        small_films);
-    CHECK(all.code == 0);
-    std::size_t fine = 0, rejected = 0;
-    for (const auto& character : nlohmann::json::parse(read(folder / "all/page.json"))["characters"])
-        ++(character["status"] == "ok" ? fine : rejected);
-    CHECK(fine >= 3);
-    CHECK(rejected == 1);
+    CHECK(outcome.err.find("ring.png: no character could be animated (character-1: " + status + ")") !=
+          std::string::npos);
 }
