@@ -22,10 +22,13 @@ struct SkeletonizationOptions {
     double fill_holes_share =
         0.02; // holes smaller than this share of the shape are filled; `thesis`: 0 (ERRATA 4)
     // A head, limb, tail or wing of at least this share of the shape that no ridge enters gets a branch; 0
-    // (`thesis`): none.
+    // (`thesis`): none. Parts with a vertex of their own, on 317 label maps and 221 labelled stroke drawings:
+    // limbs .919 → .949 and .965 → .986, tails .848 → .975 and .889 → 1.0, wings .884 → .899 and .875 → .938,
+    // for 0.1 more ends a figure; identification stays as it was (five folds, 480 drawings: .935 → .931).
     double recover_parts_share = 0.005;
-    bool cut_cycles =
-        true; // limbs that touch are cut apart where they are farthest from the body; `thesis`: false
+    // Limbs, tails or wings that touch are cut apart where they are farthest from the body, since a cycle has
+    // no end that could move (11 of 562 figures); `thesis`: false.
+    bool cut_cycles = true;
 };
 
 struct SkeletonVertex {
@@ -59,7 +62,10 @@ struct Skeletonization {
     SkeletonGraph raw, after_h1, graph; // `graph`: after H1 and H2
 };
 
-// Throws CharacterRejected("skeletonize", …) when nothing usable is left (empty or hollow silhouette).
+// `labels`: working size, any sides; ≠ 0 is the silhouette, of which the largest component counts. The
+// skeleton is homotopic to the mask before cycles are cut, so it is connected. A silhouette with neither end
+// nor junction (a ring) gives a triangle. Throws CharacterRejected("skeletonize", …) when the silhouette is
+// empty or the skeleton shrinks to a single point after H1 and H2 (a disc, a head alone).
 Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions& options = {});
 
 // The sub-steps, each usable alone.
