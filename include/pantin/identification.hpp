@@ -15,36 +15,38 @@
 
 namespace pantin {
 
-// --- reference skeletons (docs/formats.md, "reference.json") -------------------------------------------------
+// --- reference skeletons (docs/identification.md, "A reference file")
+// -------------------------------------------------
 
 struct ReferenceNode {
     std::string name; // "head", "chest", "hand_left", …
     Label label = Label::body;
     double x = 0, y = 0; // [0, 1], y down
-    double r = 0;        // radius of the shape at the node (the shape: nodes and edges drawn with their radii)
+    double r = 0; // radius of the shape at the node (the shape: nodes and edges drawn with their radii)
 };
 // One joint of the animation hierarchy: turns about `node`'s inner end.
 struct ReferenceJoint {
-    std::string name;   // glTF/VRM-like: "hips", "chest", "head", "leg_front_left", …
-    int parent = -1;    // index of the parent joint, −1 for the root; parents come first
-    int node = -1;      // the reference node that the joint moves (end-effector or body node)
+    std::string name; // glTF/VRM-like: "hips", "chest", "head", "leg_front_left", …
+    int parent = -1;  // index of the parent joint, −1 for the root; parents come first
+    int node = -1;    // the reference node that the joint moves (end-effector or body node)
 };
-// A periodic rotation of one joint about one axis: angle(t) = offset + amplitude · sin(2π (cycles · t/duration + phase)).
+// A periodic rotation of one joint about one axis: angle(t) = offset + amplitude · sin(2π (cycles ·
+// t/duration + phase)).
 struct ReferenceTrack {
     int joint = 0;
     // Fixed axes of the drawing: "x", "y", "z" (z: in the plane, counter-clockwise seen from the front).
-    // Axes of the bone at rest: "lift" (in the plane, positive raises the bone's tip: a left wing and a right wing
-    // go up together), "flap" (out of the plane, positive moves the tip towards the viewer), "twist" (about itself).
-    // "tx", "ty": translation of the root joint as a share of the character's height.
+    // Axes of the bone at rest: "lift" (in the plane, positive raises the bone's tip: a left wing and a right
+    // wing go up together), "flap" (out of the plane, positive moves the tip towards the viewer), "twist"
+    // (about itself). "tx", "ty": translation of the root joint as a share of the character's height.
     std::string axis;
-    int segment = 0;       // along a limb's chain of bones: 0 the innermost
-    double amplitude = 0;  // degrees (share of the height for translations)
-    double phase = 0;      // in cycles
+    int segment = 0;      // along a limb's chain of bones: 0 the innermost
+    double amplitude = 0; // degrees (share of the height for translations)
+    double phase = 0;     // in cycles
     double offset = 0;
-    int cycles = 1;        // whole cycles per clip, so that it loops
+    int cycles = 1; // whole cycles per clip, so that it loops
 };
 struct ReferenceClip {
-    std::string name; // "walk", "fly", "idle"
+    std::string name;    // "walk", "fly", "idle"
     double duration = 1; // seconds
     std::vector<ReferenceTrack> tracks;
 };
@@ -57,6 +59,7 @@ struct ReferenceSkeleton {
 };
 
 ReferenceSkeleton parse_reference(std::span<const unsigned char> json, const std::string& source);
+// Error(input) names `source`, the place and the fact.
 // The compiled-in references (order: humanoid, quadruped, flying); those of `directory`, when not empty,
 // replace the ones of their name or are added. Error(input) names the file.
 std::vector<ReferenceSkeleton> load_references(const std::filesystem::path& directory = {});
@@ -68,7 +71,7 @@ struct LabelledGraph {
     std::vector<Label> labels;
     std::vector<std::pair<int, int>> edges;
 };
-LabelledGraph to_labelled_graph(const SkeletonGraph& graph);       // positions in pixels
+LabelledGraph to_labelled_graph(const SkeletonGraph& graph); // positions in pixels
 LabelledGraph to_labelled_graph(const ReferenceSkeleton& reference);
 // Per axis to [0, 1] by the bounding box of the vertices (ERRATA 11).
 LabelledGraph normalised(const LabelledGraph& graph);
@@ -87,41 +90,51 @@ struct GgdResult {
     bool optimal = true;
 };
 // Our exact branch and bound; canonical: the lexicographically smallest matching within 1e-9 of the optimum.
-GgdResult geometric_graph_distance(const LabelledGraph& a, const LabelledGraph& b, const GgdOptions& options = {});
+GgdResult geometric_graph_distance(const LabelledGraph& a, const LabelledGraph& b,
+                                   const GgdOptions& options = {});
 // Cost of a given matching.
 double matching_cost(const LabelledGraph& a, const LabelledGraph& b,
                      const std::vector<std::pair<int, int>>& pairs, const GgdOptions& options = {});
 
 enum class IlpFormulation { literal, tightened }; // Eq. 4.6 as printed, or as in ERRATA 12
-bool ilp_available(); // built with GLPK
+bool ilp_available();                             // built with GLPK
 GgdResult geometric_graph_distance_ilp(const LabelledGraph& a, const LabelledGraph& b,
                                        const GgdOptions& options, IlpFormulation formulation);
 
-// --- the step ------------------------------------------------------------------------------------------------
+// --- the step
+// ------------------------------------------------------------------------------------------------
 
 struct IdentificationOptions {
     GgdOptions ggd;
-    bool thesis_score = false;   // `thesis`: score = ggd, K_v = 0.38 for the quadruped, not mirrored
-    bool use_evidence = true;    // presence of parts enters the score (ERRATA 10)
-    bool use_ilp = false;        // `thesis`: solve the ILP with GLPK, asserted equal to the branch and bound
+    bool thesis_score = false; // `thesis`: score = ggd, K_v = 0.38 for the quadruped (ERRATA 8), not mirrored
+    bool use_evidence = true;  // presence and place of parts enter the score (ERRATA 10); false: score = the
+                               // divided distance, ggd / (K_e Σ|e'|) (ERRATA 9)
+    bool use_ilp = false; // `thesis`: solve the ILP with GLPK too, asserted equal to the branch and bound
 };
 
 struct Candidate {
     std::string reference;
-    bool mirrored = false;
-    double distance = 0; // ggd
-    double score = 0;    // what decides; smaller is better
-    std::vector<std::pair<std::string, double>> evidence; // name → contribution to the score, in a fixed order
+    bool mirrored =
+        false; // the reference, left for right, is the better side (the head decides close questions)
+    double distance = 0; // ggd of that side
+    double score = 0;    // what decides; smaller is better; a tie goes to the earlier reference
+    // name → contribution to the score, in a fixed order: "graph" (the divided distance), "prior", then the
+    // traits of docs/identification.md. Empty unless `use_evidence`. They add up to the score.
+    std::vector<std::pair<std::string, double>> evidence;
     bool optimal = true;
-    std::vector<std::pair<int, int>> pairs; // (skeleton vertex, reference node)
+    std::vector<std::pair<int, int>> pairs; // (skeleton vertex, reference node), ascending
 };
 struct Identification {
     std::string reference;
-    double confidence = 0; // [0, 1]
+    // exp(−score of the best) / Σ exp(−score) over all candidates: with evidence the probability that the
+    // fitted model gives its decision (equal priors of the three types), else a plain soft minimum.
+    double confidence = 0;
     std::vector<Candidate> candidates; // from best to worst
 };
 
-// Throws CharacterRejected("identify", …) for what cannot move: a head alone, a blob, a scribble.
+// Throws CharacterRejected("identify", …) for what cannot move: a skeleton without an edge, more than 24 ends
+// (a scribble), one label only, or neither an end nor 2 % of the silhouette that is limb, wing or tail (a
+// head alone).
 Identification identify(const SkeletonGraph& graph, const LabelMap& labels,
                         const std::vector<ReferenceSkeleton>& references,
                         const IdentificationOptions& options = {});

@@ -84,7 +84,7 @@ def confusion(title, truth, found, counts):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("tables", nargs="+")
-    parser.add_argument("--ridge", type=float, default=1)
+    parser.add_argument("--ridge", type=float, default=2)
     parser.add_argument("--wrong", action="store_true", help="list the drawings decided wrongly")
     o = parser.parse_args()
     rows = read(o.tables)
