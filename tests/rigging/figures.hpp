@@ -18,7 +18,8 @@ inline void fill(LabelMap& labels, int x0, int y0, int x1, int y1, Label label) 
 inline SkeletonEdge straight_edge(const SkeletonGraph& graph, int u, int v) {
     SkeletonEdge edge{u, v, 0, {}};
     const SkeletonVertex &a = graph.vertices[u], &b = graph.vertices[v];
-    const int n = static_cast<int>(std::rint(std::max(std::abs(b.x - a.x), std::abs(b.y - a.y))));
+    const int n =
+        std::max(1, static_cast<int>(std::rint(std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)))));
     for (int i = 0; i <= n; ++i)
         edge.pixels.push_back({static_cast<int>(std::rint(a.x + (b.x - a.x) * i / n)),
                                static_cast<int>(std::rint(a.y + (b.y - a.y) * i / n))});

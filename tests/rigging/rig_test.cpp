@@ -243,7 +243,7 @@ TEST_CASE("a part without an end-effector in the skeleton still gets a bone") {
     c.graph.edges.erase(c.graph.edges.begin() + 4); // the tail's branch was pruned
     c.graph.vertices[1].end = false;
     c.mapping.pairs.erase(c.mapping.pairs.begin() + 1);
-    c.graph.vertices[1] = {92, 40, Label::body, false};
+    c.graph.vertices[1] = {97, 40, Label::body, false};
     c.graph.edges.push_back(straight_edge(c.graph, 1, 9));
     const Rig rig = rig_of(c);
     const int tail = bone_named(rig, "tail");
