@@ -28,6 +28,7 @@ struct DetectionOptions {
     double touching_gap =
         0.02; // pieces of like size this close are one (here and below: share of the smaller one)
     double closed_share = 0.03; // what encloses this share of its squared diagonal could stand alone
+    double deepest_pen = 0.02; // ink deeper than this share of its diagonal is colour, not a stroke
     double contact_share =
         0.05;               // an open line has this share of the border of a room that it helps to enclose
     double head_size = 0.5; // a closed shape beside another is its head up to this share of it,

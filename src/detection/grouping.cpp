@@ -138,7 +138,7 @@ std::vector<Gap> gaps_between(const Components& components, const std::vector<Pi
 struct Group {
     std::vector<int> pieces;
     Box box;
-    double rooms = 0; // area that its ink encloses (rooms.hpp)
+    double rooms = 0; // area that its ink encloses (rooms.hpp) or colours in
     // A figure that could stand alone, not an open line: a body, or the head of a stick figure with its
     // lines.
     bool closed(const DetectionOptions& options) const {
@@ -230,7 +230,12 @@ private:
             }
         }
         const Mask rooms = find_rooms(ink);
-        return static_cast<double>(std::count(rooms.begin(), rooms.end(), 1));
+        const double enclosed = static_cast<double>(std::count(rooms.begin(), rooms.end(), 1));
+        // A figure that is coloured in has ink where a line drawing has rooms: what lies deeper than any pen.
+        const Grid<int> depth = squared_distance_transform(ink);
+        const double pen = options_.deepest_pen * diagonal_of(box);
+        return enclosed + static_cast<double>(std::count_if(depth.begin(), depth.end(),
+                                                            [&](int squared) { return squared > pen * pen; }));
     }
 
     void unite(int a, int b, double rooms) {

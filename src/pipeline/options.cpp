@@ -28,9 +28,16 @@ template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visi
     visit("detection.grouping_size", o.grouping_size, 64, 4096);
     visit("detection.mark_size", o.mark_size, 0, 1);
     visit("detection.mark_gap", o.mark_gap, 0, 1);
-    visit("detection.solid_gap", o.solid_gap, 0, 1);
+    visit("detection.touching_gap", o.touching_gap, 0, 1);
+    visit("detection.closed_share", o.closed_share, 0, 1);
+    visit("detection.deepest_pen", o.deepest_pen, 0, 1);
+    visit("detection.contact_share", o.contact_share, 0, 1);
+    visit("detection.head_size", o.head_size, 0, 1);
+    visit("detection.stacked_head_size", o.stacked_head_size, 0, 1);
+    visit("detection.head_gap", o.head_gap, 0, 1);
     visit("detection.open_gap", o.open_gap, 0, 1);
     visit("detection.stacked_gap", o.stacked_gap, 0, 1);
+    visit("detection.room_gain", o.room_gain, 0, 1);
     visit("detection.min_share", o.min_share, 0, 1);
     visit("detection.min_side", o.min_side, 1, 16384);
 }
