@@ -43,6 +43,19 @@ Mask single_strokes(const Mask& shape, const Mask& ink, double pen) {
     return thin;
 }
 
+// Whether what the ink encloses is next to nothing of its box. Figures of lines are hollow, and so is an
+// outline whose gap is too wide for the usual rule.
+bool is_hollow(const Mask& ink, const Mask& rooms, double share) {
+    const Components pieces = connected_components(ink);
+    int left = ink.width(), top = ink.height(), right = 0, bottom = 0;
+    for (const Component& piece : pieces.list) {
+        left = std::min(left, piece.box.x), right = std::max(right, piece.box.x + piece.box.width);
+        top = std::min(top, piece.box.y), bottom = std::max(bottom, piece.box.y + piece.box.height);
+    }
+    const auto area = std::count(rooms.begin(), rooms.end(), 1);
+    return static_cast<double>(area) < share * std::max(0, right - left) * std::max(0, bottom - top);
+}
+
 // Sets all pixels within `radius` of the segment from a to b.
 void draw_segment(Mask& mask, Point2i a, Point2i b, double radius) {
     const Point2d p = to_double(a), along = to_double(b) - p;
@@ -107,6 +120,7 @@ double pen_width(const Mask& ink) {
 
 Mask silhouette_of(const Mask& ink, const SilhouetteOptions& options) {
     Mask shape = find_rooms(ink, options.rooms);
+    if (is_hollow(ink, shape, options.hollow_share)) shape = find_rooms(ink, options.last_resort);
     for (std::size_t i = 0; i < shape.size(); ++i) shape.data()[i] |= ink.data()[i];
     const double pen = pen_width(ink);
     const Mask thickened = dilate_disc(single_strokes(shape, ink, pen), (options.stroke_width - 1) / 2 * pen);

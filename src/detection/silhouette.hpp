@@ -8,6 +8,11 @@ namespace pantin {
 
 struct SilhouetteOptions {
     RoomOptions rooms;
+    // An outline that encloses less than this share of its box is hollow; then one room that is most of the
+    // figure may be almost as wide at its mouth as anywhere. Figures of lines have no such room and stay
+    // lines.
+    double hollow_share = 0.15;
+    RoomOptions last_resort{1.6, 1.04, 0.25, 0.3, 1.4};
     double stroke_width = 2.5; // lines that enclose nothing get this many pen widths
 };
 

@@ -92,6 +92,29 @@ TEST_CASE("The silhouette of a stick figure is its strokes, two and a half pens 
     CHECK(width <= 12);
 }
 
+TEST_CASE("A figure of detached lines stays lines") {
+    Canvas canvas(240, 240);
+    canvas.arc({120, 40}, 38, 30, 0, 360);
+    canvas.polyline({{20, 105}, {115, 85}, {125, 85}, {220, 105}});
+    canvas.line({120, 90}, {120, 225});
+    canvas.line({75, 230}, {165, 230});
+    const Mask shape = silhouette_of(ink_of(canvas));
+    CHECK(shape(120, 40) == 1);
+    CHECK(shape(80, 160) == 0);
+    CHECK(shape(160, 160) == 0);
+    CHECK(connected_components(shape).list.size() == 1); // the head hangs on the body
+}
+
+TEST_CASE("An outline with a gap almost as wide as itself is not hollow") {
+    Canvas canvas(260, 160);
+    canvas.polyline(
+        {{30, 120}, {30, 60}, {60, 40}, {200, 40}, {230, 60}, {230, 120}, {200, 125}, {120, 125}});
+    const Mask ink = ink_of(canvas), shape = silhouette_of(ink); // from (30, 120) to (120, 125): open
+    CHECK(shape(130, 80) == 1);
+    CHECK(shape(70, 80) == 1);
+    CHECK(count(shape) > 3 * count(ink));
+}
+
 TEST_CASE("A silhouette is one piece without holes and contains all ink") {
     std::mt19937 random{5};
     for (int trial = 0; trial < 30; ++trial) {
