@@ -46,6 +46,7 @@ template <class Visitor> void visit_segmentation(SegmentationOptions& o, Visitor
     visit("segmentation.grey_erosion", o.grey_erosion);
     visit("segmentation.fill_probability", o.silhouette.fill_probability, 0, 1);
     visit("segmentation.keep_probability", o.silhouette.keep_probability, 0, 1);
+    visit("segmentation.open_share", o.silhouette.open_share, 0, 1);
     visit("segmentation.hole_probability", o.silhouette.hole_probability, 0, 1);
     visit("segmentation.hole_cut_share", o.silhouette.hole_cut_share, 0, 1);
     visit("segmentation.enclosed_share", o.silhouette.enclosed_share, 0, 1);
