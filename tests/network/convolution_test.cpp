@@ -79,8 +79,9 @@ TEST_CASE("Convolutions of odd shapes equal the plain loops bit for bit on every
         const int in = options.groups * random.integer(1, 5), out = options.groups * random.integer(1, 15);
         const int kernel_height = random.integer(1, 5), kernel_width = random.integer(1, 5);
         const int least = options.dilation * 4 + 1;
-        const Tensor input = random_tensor(random, random.integer(1, 2), in, least + random.integer(0, 12),
-                                           least + random.integer(0, 30));
+        const int batch = random.integer(1, 2);
+        const int height = least + random.integer(0, 12), width = least + random.integer(0, 30);
+        const Tensor input = random_tensor(random, batch, in, height, width);
         const Filters filters = random_filters(random, out, in, kernel_height, kernel_width, options.groups);
         INFO("round " << round << ": " << out << "×" << in << "×" << kernel_height << "×" << kernel_width
                       << ", stride " << options.stride << ", dilation " << options.dilation << ", padding "
@@ -102,7 +103,8 @@ TEST_CASE("Transposed convolutions of odd shapes equal the plain loops bit for b
         options.output_padding = random.integer(0, options.stride - 1);
         const int in = options.groups * random.integer(1, 5), out = options.groups * random.integer(1, 9);
         const int kernel = random.integer(1, 4);
-        const Tensor input = random_tensor(random, 1, in, random.integer(3, 9), random.integer(3, 20));
+        const int height = random.integer(3, 9), width = random.integer(3, 20);
+        const Tensor input = random_tensor(random, 1, in, height, width);
         const Filters filters = random_filters(random, out, in, kernel, kernel, options.groups);
         INFO("round " << round << ": kernel " << kernel << ", stride " << options.stride << ", dilation "
                       << options.dilation << ", padding " << options.padding);
@@ -132,7 +134,8 @@ TEST_CASE("Linear layers equal the plain loops bit for bit for any batch") {
     Random random(10);
     for (int round = 0; round < 20; ++round) {
         const int out = random.integer(1, 300), channels = random.integer(1, 30);
-        const Tensor input = random_tensor(random, random.integer(1, 14), channels, random.integer(1, 2), 2);
+        const int batch = random.integer(1, 14), height = random.integer(1, 2);
+        const Tensor input = random_tensor(random, batch, channels, height, 2);
         const auto in = static_cast<int>(input.channels() * input.plane_size());
         const auto weights = random_floats(random, static_cast<std::size_t>(out) * in);
         const auto bias = random_floats(random, static_cast<std::size_t>(out));

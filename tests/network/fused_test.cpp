@@ -27,8 +27,10 @@ TEST_CASE("The emulated fused multiply-add equals the C library's on any bits") 
         const float b = std::bit_cast<float>(static_cast<std::uint32_t>(bits >> 32));
         float c = std::bit_cast<float>(static_cast<std::uint32_t>(more));
         // Half of the time an addend near the product, so that digits cancel or just stick out.
-        if (more >> 63 && std::isfinite(a * b))
-            c = a * b * static_cast<float>(std::ldexp(random.uniform(-2, 2), random.integer(-30, 30)));
+        if (more >> 63 && std::isfinite(a * b)) {
+            const double factor = random.uniform(-2, 2);
+            c = a * b * static_cast<float>(std::ldexp(factor, random.integer(-30, 30)));
+        }
         different += !same(fused_emulated(a, b, c), std::fma(a, b, c));
     }
     CHECK(different == 0);

@@ -160,9 +160,10 @@ TEST_CASE("Random damage to a weight file never does worse than an error") {
     for (int round = 0; round < 3000; ++round) {
         Bytes bytes = whole;
         const int changes = random.integer(1, 4);
-        for (int i = 0; i < changes; ++i)
-            bytes[static_cast<std::size_t>(random.integer(0, static_cast<int>(bytes.size()) - 1))] =
-                static_cast<unsigned char>(random.integer(0, 255));
+        for (int i = 0; i < changes; ++i) {
+            const int place = random.integer(0, static_cast<int>(bytes.size()) - 1);
+            bytes[static_cast<std::size_t>(place)] = static_cast<unsigned char>(random.integer(0, 255));
+        }
         refused += !failure(bytes).empty();
     }
     CHECK(refused > 1500); // what is left changed a value or a name only

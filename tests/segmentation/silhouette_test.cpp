@@ -65,6 +65,19 @@ TEST_CASE("A gap between two legs that the detector bridged is cut, the inked le
     CHECK(silhouette(100, 60) == 1);
 }
 
+TEST_CASE("A wing whose outline has a narrow gap is not cut for doubts") {
+    Scene scene;
+    scene.stroke({20, 80, 60, 40}); // body
+    Scene::rectangle(scene.foreground, {20, 80, 60, 40}, 0.95f);
+    Scene::rectangle<std::uint8_t>(scene.mask, {80, 40, 100, 100}, 1); // wing, closed by the detector
+    for (const Box side :
+         {Box{80, 40, 100, 3}, Box{80, 137, 100, 3}, Box{177, 40, 3, 45}, Box{177, 95, 3, 45}})
+        scene.stroke(side);
+    Scene::rectangle<float>(scene.ink, {80, 40, 3, 100}, 1.0f);
+    Scene::rectangle(scene.foreground, {80, 40, 100, 100}, 0.2f);
+    CHECK(scene.decide()(130, 90) == 1);
+}
+
 TEST_CASE("Ink of the mask is never cut, even where the network sees background everywhere") {
     Scene scene;
     scene.stroke({99, 20, 2, 160}); // a stick
