@@ -19,7 +19,7 @@ draw() {
 }
 
 zoo="humanoid:person,quadruped:dog,flying:gull,quadruped:giraffe"
-draw demo.png image 8 36 --types $zoo --size 840 --height 600 --photo 0 --paper 1 --colour 1 --gaps 0.1 --fill 0.88 \
+draw demo.png image 8 33 --types $zoo --size 840 --height 600 --photo 0 --paper 1 --colour 1 --gaps 0.1 --fill 0.88 \
     --tilt 0.5 --pen 3.5
 draw lined.png image 8 17 --types $zoo --size 720 --height 512 --photo 0 --paper 1 --colour 1 --gaps 0.1 --fill 0.88 \
     --tilt 0.5 --pen 3
