@@ -83,8 +83,8 @@ deps:
 demo-run: $(BUILD)/pantin
 	$(BUILD)/pantin animate testdata/demo.png -o out/demo
 
-test-run: $(BUILD)/tests $(BUILD)/pantin $(BUILD)/doodle
-	PANTIN=$(BUILD)/pantin DOODLE=$(BUILD)/doodle $(BUILD)/tests $(TEST_ARGS)
+test-run: $(BUILD)/pantin-tests $(BUILD)/pantin $(BUILD)/doodle
+	PANTIN=$(BUILD)/pantin DOODLE=$(BUILD)/doodle $(BUILD)/pantin-tests $(TEST_ARGS)
 
 sanitize:
 	@$(MAKE) --no-print-directory config=sanitize test
@@ -104,7 +104,7 @@ $(BUILD)/libpantin.a: $(LIB_OBJECTS)
 	$(AR) rcsD $@ $^
 $(BUILD)/doodle: $(BUILD)/tools/doodle/main.o $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
 	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
-$(BUILD)/tests: $(TEST_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
+$(BUILD)/pantin-tests: $(TEST_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
 	$(CXX) $(LDFLAGS) -o $@ $^ $(TEST_LDLIBS) $(LDLIBS)
 $(BUILD)/tests/%.o: CPPFLAGS += -Itests
 $(BUILD)/bench: $(BENCH_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
