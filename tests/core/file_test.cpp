@@ -25,7 +25,7 @@ ErrorKind kind_of(const std::function<void()>& call) {
 
 TEST_CASE("A file is written whole and read back, and nothing else is left in the folder", "[core]") {
     const TemporaryFolder folder;
-    for (const std::string text : {std::string(), std::string("one\0two", 7), std::string(200'000, 'x')}) {
+    for (const std::string& text : {std::string(), std::string("one\0two", 7), std::string(200'000, 'x')}) {
         write_file(folder / "file", text);
         CHECK(read_text(folder / "file") == text);
     }
