@@ -16,9 +16,24 @@ constexpr double ilp_margin = 1e-6; // GLPK's own tolerance on sums
 constexpr double smallest_part =
     0.02; // share of the silhouette that can move although no skeleton end lies in it
 
+// Of the borders between parts against the root of the silhouette's area. Real drawings measured here stay
+// below 5; a scribble, where the network finds parts in patches, is at 8.
+constexpr double most_inner_border = 6;
+
 [[noreturn]] void reject(const std::string& reason) { throw CharacterRejected("identify", reason); }
 
 bool can_move(Label label) { return label == Label::limb || label == Label::wing || label == Label::tail; }
+
+// Number of pairs of 4-neighbours that belong to two different parts.
+long inner_border(const LabelMap& labels) {
+    long count = 0;
+    const auto differ = [&](int p, int q) { return p != 0 && q != 0 && p != q; };
+    for (int y = 0; y < labels.height(); ++y)
+        for (int x = 0; x < labels.width(); ++x)
+            count += differ(labels(x, y), labels.value_or(x + 1, y, 0)) +
+                     differ(labels(x, y), labels.value_or(x, y + 1, 0));
+    return count;
+}
 
 // A head alone, a blob, a scribble.
 void reject_what_cannot_move(const SkeletonGraph& graph, const LabelMap& labels) {
@@ -36,6 +51,8 @@ void reject_what_cannot_move(const SkeletonGraph& graph, const LabelMap& labels)
     const double area =
         part_region(labels, {Label::head, Label::body, Label::limb, Label::tail, Label::wing}).area;
     const double moving = part_region(labels, {Label::limb, Label::tail, Label::wing}).area;
+    if (static_cast<double>(inner_border(labels)) > most_inner_border * std::sqrt(area))
+        reject("a scribble: its parts are scattered");
     if (moving_ends == 0 && moving < smallest_part * area) reject("no limb, wing or tail: nothing can move");
 }
 

@@ -36,7 +36,8 @@ using Keys = std::vector<std::string>;
 
 std::vector<fs::path> demo_characters() {
     std::vector<fs::path> folders;
-    for (const Json& character : json_of(animated_demo() / "page.json")["characters"])
+    const Json page = json_of(animated_demo() / "page.json"); // a temporary would not outlive the range
+    for (const Json& character : page["characters"])
         folders.push_back(animated_demo() / character["folder"].get<std::string>());
     return folders;
 }
@@ -83,7 +84,8 @@ TEST_CASE("The demo page has a humanoid, a quadruped and a flyer, and all are re
     for (const fs::path& folder : demo_characters())
         types.insert(json_of(folder / "identification.json")["reference"].get<std::string>());
     for (const std::string type : {"humanoid", "quadruped", "flying"}) CHECK(types.count(type) >= 1);
-    for (const Json& character : json_of(animated_demo() / "page.json")["characters"])
+    const Json page = json_of(animated_demo() / "page.json"); // a temporary would not outlive the range
+    for (const Json& character : page["characters"])
         CHECK(character["status"] == "ok");
 }
 

@@ -113,7 +113,7 @@ TEST_CASE("A damaged skeleton.json is an error that names file, place and fact",
         Damage{"[0, 7]", "[0, 7, 1]", "skeleton.json: edges[0].pixels[1]: has more than 2 elements"},
         Damage{"[0, 7]", "[0, 20]", "skeleton.json: edges[0].pixels[1][1]: must lie between 0 and 19"},
         Damage{"\"length\": 5.5,", "", "skeleton.json: edges[0]: misses \"length\""},
-        Damage{"\"edges\": [", "\"edges\": {", "skeleton.json: not valid JSON (line 29)"});
+        Damage{"\"edges\": [", "\"edges\": {", "skeleton.json: not valid JSON (line 21)"});
     std::string text = small_skeleton;
     const std::size_t at = text.find(damage.from);
     REQUIRE(at != std::string::npos);
