@@ -29,7 +29,7 @@ else ifeq ($(config),debug)
   CXXFLAGS += -O0 -g
 else ifeq ($(config),sanitize)
   # g++ 12 reports false maybe-uninitialized reads in <regex> once the sanitizers are on.
-  CXXFLAGS += -Wno-maybe-uninitialized
+  CXXFLAGS += -Wno-unknown-warning-option -Wno-maybe-uninitialized
   CXXFLAGS += -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
   LDFLAGS += -fsanitize=address,undefined
 else

@@ -38,8 +38,8 @@ WebPConfig lossless_config() {
     if (!WebPConfigInit(&config)) fail("the library's version differs");
     config.lossless = 1;
     config.exact = 1; // colours below alpha 0 stay: we set them to 0 ourselves
-    config.method = 2;
-    config.quality = 40; // effort, not loss
+    config.method = 0;
+    config.quality = 0; // effort, not loss
     config.thread_level = 0;
     return config;
 }
