@@ -97,7 +97,7 @@ def weights_view(folder):
 
 def rows(pantin, image, frames, cell, preset, work):
     out = os.path.join(work, os.path.splitext(os.path.basename(image))[0])
-    run = subprocess.run([pantin, "animate", image, "-o", out, "--preset", preset, "--format", "png", "--quiet"],
+    run = subprocess.run([pantin, "animate", image, "-o", out, "--preset", preset, "--format", "png", "--size", "256", "--fps", "12", "--quiet"],
                          capture_output=True, text=True)
     title = os.path.basename(image)
     if not os.path.exists(f"{out}/page.json"):
@@ -110,8 +110,8 @@ def rows(pantin, image, frames, cell, preset, work):
         if os.path.exists(f"{folder}/identification.json"):
             found = json.load(open(f"{folder}/identification.json"))
             text += f"  {found['reference']} {found['confidence']:.2f}"
-        pngs = sorted(glob.glob(f"{folder}/**/*frame*/*.png", recursive=True) + glob.glob(f"{folder}/frames/**/*.png", recursive=True))
-        first = [p for p in pngs if os.path.dirname(p) == os.path.dirname(pngs[0])] if pngs else []
+        pngs = sorted(glob.glob(f"{folder}/frames/*/*.png"))
+        first = [p for p in pngs if os.path.basename(os.path.dirname(p)) != "idle"]  # the reference's clip of motion
         for k in range(min(frames, len(first))):
             rgba = cv2.imread(first[k * len(first) // frames], cv2.IMREAD_UNCHANGED).astype(float)
             alpha = rgba[:, :, 3:] / 255
