@@ -101,8 +101,7 @@ bool ilp_available();                             // built with GLPK
 GgdResult geometric_graph_distance_ilp(const LabelledGraph& a, const LabelledGraph& b,
                                        const GgdOptions& options, IlpFormulation formulation);
 
-// --- the step
-// ------------------------------------------------------------------------------------------------
+// --- the step ----------------------------------------------------------------------------------------------
 
 struct IdentificationOptions {
     GgdOptions ggd;

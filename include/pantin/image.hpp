@@ -76,6 +76,9 @@ template <class T> Grid<T> crop(const Grid<T>& image, Box box) {
 
 // --- masks -----------------------------------------------------------------------------------------------
 
+// Where a label map has a part: labels ≠ 0.
+Mask foreground(const LabelMap& labels);
+
 // The mask with `margin` background pixels around it, and without.
 Mask pad(const Mask& mask, int margin);
 Mask unpad(const Mask& mask, int margin);

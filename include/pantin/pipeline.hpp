@@ -21,8 +21,7 @@
 
 namespace pantin {
 
-// --- options
-// ---------------------------------------------------------------------------------------------------
+// --- options -----------------------------------------------------------------------------------------------
 
 struct AnimationOptions {
     int samples = 24; // key poses of a clip in character.glb and between which frames are interpolated
@@ -47,8 +46,7 @@ void apply_config(Options& options, const std::filesystem::path& file);
 // Every option with its value as JSON text, in a fixed order.
 std::vector<std::pair<std::string, std::string>> list_options(const Options& options);
 
-// --- settings of a run
-// -------------------------------------------------------------------------------------------
+// --- settings of a run -------------------------------------------------------------------------------------
 
 struct RenderRequest {
     std::string clip = "all";         // a clip of the reference, or all
@@ -69,8 +67,7 @@ struct Settings {
     std::function<void(const std::string& what, double share)> progress;
 };
 
-// --- the page
-// ------------------------------------------------------------------------------------------------------
+// --- the page ----------------------------------------------------------------------------------------------
 
 struct PageCharacter {
     std::string folder; // name below the page's folder, "character-1"
@@ -86,8 +83,7 @@ struct Page {
 };
 Page read_page(const std::filesystem::path& file);
 
-// --- the steps
-// ------------------------------------------------------------------------------------------------------
+// --- the steps ---------------------------------------------------------------------------------------------
 
 // The whole pipeline: `image` to out/page.json and one folder a character. A character that cannot go on
 // keeps the files it has and says why in its status. Throws Error(not_animated) when none could be animated,

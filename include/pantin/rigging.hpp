@@ -13,8 +13,7 @@
 
 namespace pantin {
 
-// --- end-effector mapping
-// ------------------------------------------------------------------------------------
+// --- end-effector mapping ----------------------------------------------------------------------------------
 
 // M samples along the skeleton path between two end-effectors.
 struct PathSamples {

@@ -17,9 +17,8 @@ constexpr float full_ink = 0.55f; // … and from which it is opaque
 constexpr double small_hole_share = 0.02; // of the silhouette; as in skeletonization
 
 Mask filled_silhouette(const LabelMap& labels) {
-    Mask mask(labels.width(), labels.height());
-    long area = 0;
-    for (std::size_t i = 0; i < labels.size(); ++i) area += mask.data()[i] = labels.data()[i] != 0;
+    const Mask mask = foreground(labels);
+    const auto area = std::count(mask.begin(), mask.end(), 1);
     return fill_holes(mask, static_cast<long>(small_hole_share * static_cast<double>(area)));
 }
 

@@ -5,17 +5,16 @@
 // 2. What lies inside a piece's outer border (Suzuki & Abe 1985) belongs to it.
 // 3. Open lines that enclose a room together (rooms.hpp) are one outline.
 // 4. Neighbouring pieces (whose Voronoi cells touch) are joined in the order of their gaps, shortest first,
-// when the
-//    gap is small relative to the sizes reached so far (`belong_together`): marks by their distance, arcs of
-//    one outline because they enclose a room together (rooms.hpp), closed shapes side by side never.
+//    when the gap is small relative to the sizes reached so far (`belong_together`): marks by their distance,
+//    arcs of one outline because they enclose a room together (rooms.hpp), closed shapes side by side never.
 // 5. Groups that are small beside the largest are dropped.
 #include "detection/grouping.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
+#include "core/disjoint_sets.hpp"
 #include "detection/rooms.hpp"
 #include "pantin/geometry.hpp"
 #include "pantin/image.hpp"
@@ -34,8 +33,7 @@ Box united(const Box& a, const Box& b) {
 // Length of the common part of [a, a + n) and [b, b + m), negative for the gap between them.
 int overlap(int a, int n, int b, int m) { return std::min(a + n, b + m) - std::max(a, b); }
 
-// --- what is no piece of a character
-// -----------------------------------------------------------------------------
+// --- what is no piece of a character -----------------------------------------------------------------------
 
 struct Piece {
     Box box;
@@ -96,8 +94,7 @@ bool is_frame(const Piece& piece, const std::vector<Piece>& pieces, int w, int h
     });
 }
 
-// --- joining
-// -----------------------------------------------------------------------------------------------------
+// --- joining -----------------------------------------------------------------------------------------------
 
 struct Gap {
     int a = 0, b = 0; // pieces
@@ -149,8 +146,7 @@ struct Group {
 class Joiner {
 public:
     Joiner(const Components& components, const std::vector<Piece>& pieces, const DetectionOptions& options)
-        : components_(components), options_(options), parent_(pieces.size()) {
-        std::iota(parent_.begin(), parent_.end(), 0);
+        : components_(components), options_(options), sets_(pieces.size()) {
         const double page = diagonal_of({0, 0, components.ids.width(), components.ids.height()});
         for (int i = 0; i < static_cast<int>(pieces.size()); ++i) {
             groups_.push_back({{i}, pieces[i].box});
@@ -159,10 +155,7 @@ public:
                 groups_[i].rooms = rooms_of(groups_[i]);
         }
     }
-    int find(int i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
+    int find(int i) { return sets_.find(i); }
     const Group& group(int root) const { return groups_[root]; }
 
     void unite_nested(int inner, int outer) {
@@ -245,12 +238,12 @@ private:
         to.box = united(to.box, groups_[high].box);
         to.rooms = rooms;
         groups_[high].pieces.clear();
-        parent_[high] = low;
+        sets_.unite(low, high);
     }
 
     const Components& components_;
     const DetectionOptions& options_;
-    std::vector<int> parent_;
+    DisjointSets sets_;
     std::vector<Group> groups_;
 };
 

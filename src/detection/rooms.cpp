@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/disjoint_sets.hpp"
 #include "pantin/geometry.hpp"
 #include "pantin/image.hpp"
 
@@ -27,11 +28,10 @@ namespace pantin {
 
 namespace {
 
-constexpr int longest_wall =
-    2; // squared length of the edge between 8-adjacent ink pixels, which nothing passes
+// Squared length of the edge between 8-adjacent ink pixels, which nothing passes.
+constexpr int longest_wall = 2;
 
-// --- triangles to basins
-// ----------------------------------------------------------------------------------------
+// --- triangles to basins ---------------------------------------------------------------------------------
 
 struct Saddle {
     int a = 0, b = 0; // basins; 0 is the outside
@@ -76,25 +76,6 @@ Shape shape_of(const std::vector<Point2i>& points, const std::array<int, 3>& cor
     const std::int64_t twice = std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{b.y - a.y} * (c.x - a.x);
     return {{squared_distance(b, c), squared_distance(c, a), squared_distance(a, b)}, std::abs(twice)};
 }
-
-// Sets of triangles or basins; element 0 is the outside and stays the root of its set.
-class DisjointSets {
-public:
-    explicit DisjointSets(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), 0);
-    }
-    int find(int i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    int unite(int a, int b) {
-        a = find(a), b = find(b);
-        return parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<int> parent_;
-};
 
 // Obtuse triangles flow through their longest edge, unless it is a wall; beyond the convex hull is the
 // outside.
@@ -141,8 +122,7 @@ Basins make_basins(const std::vector<Point2i>& points, const Delaunay& mesh) {
     return basins;
 }
 
-// --- basins to rooms
-// ----------------------------------------------------------------------------------------------
+// --- basins to rooms ---------------------------------------------------------------------------------------
 
 class RoomFinder {
 public:

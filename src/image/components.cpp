@@ -2,34 +2,15 @@
 // root, so that final ids follow the raster order of each component's first pixel).
 #include <algorithm>
 
+#include "core/disjoint_sets.hpp"
 #include "pantin/image.hpp"
 
 namespace pantin {
 
 namespace {
 
-class UnionFind {
-public:
-    int add() {
-        parent_.push_back(static_cast<int>(parent_.size()));
-        return parent_.back();
-    }
-    int find(int i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    int unite(int a, int b) {
-        a = find(a), b = find(b);
-        return parent_[std::max(a, b)] = std::min(a, b);
-    }
-    int size() const { return static_cast<int>(parent_.size()); }
-
-private:
-    std::vector<int> parent_;
-};
-
 // Provisional labels, 1-based (label 0 of the union–find stands for the pixels that do not count).
-Grid<int> provisional_labels(const Mask& mask, std::uint8_t value, bool diagonals, UnionFind& sets) {
+Grid<int> provisional_labels(const Mask& mask, std::uint8_t value, bool diagonals, DisjointSets& sets) {
     const int w = mask.width(), h = mask.height();
     Grid<int> ids(w, h, 0);
     for (int y = 0; y < h; ++y) {
@@ -54,7 +35,7 @@ Grid<int> provisional_labels(const Mask& mask, std::uint8_t value, bool diagonal
 }
 
 Components components_of(const Mask& mask, std::uint8_t value, bool diagonals) {
-    UnionFind sets;
+    DisjointSets sets;
     sets.add();
     Components result;
     result.ids = provisional_labels(mask, value, diagonals, sets);
@@ -89,6 +70,12 @@ Components components_of(const Mask& mask, std::uint8_t value, bool diagonals) {
 Components connected_components(const Mask& mask) { return components_of(mask, 1, true); }
 
 Components background_components(const Mask& mask) { return components_of(mask, 0, false); }
+
+Mask foreground(const LabelMap& labels) {
+    Mask mask(labels.width(), labels.height());
+    for (std::size_t i = 0; i < labels.size(); ++i) mask.data()[i] = labels.data()[i] != 0;
+    return mask;
+}
 
 Mask component_mask(const Components& components, int id) {
     Mask out(components.ids.width(), components.ids.height());

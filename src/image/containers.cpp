@@ -21,8 +21,7 @@ bool starts_with(Bytes bytes, const char* text, std::size_t length) {
     return bytes.size() >= length && std::memcmp(bytes.data(), text, length) == 0;
 }
 
-// --- PNG
-// -----------------------------------------------------------------------------------------------------------
+// --- PNG ---------------------------------------------------------------------------------------------------
 
 constexpr std::array<std::uint32_t, 256> make_crc_table() {
     std::array<std::uint32_t, 256> table{};
@@ -68,8 +67,7 @@ ContainerInfo read_png(Bytes bytes) {
     }
 }
 
-// --- JPEG
-// ----------------------------------------------------------------------------------------------------------
+// --- JPEG --------------------------------------------------------------------------------------------------
 
 bool is_restart(unsigned marker) { return marker >= 0xd0 && marker <= 0xd7; }
 bool has_no_segment(unsigned marker) { return marker == 0xd8 || marker == 0x01 || is_restart(marker); }

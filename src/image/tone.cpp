@@ -11,8 +11,7 @@ namespace pantin {
 
 namespace {
 
-// --- the paper's brightness
-// --------------------------------------------------------------------------------------
+// --- the paper's brightness --------------------------------------------------------------------------------
 
 constexpr int min_block = 8;        // px; a block holds a pen stroke and paper beside it
 constexpr int blocks_per_side = 64; // along the longer side at most

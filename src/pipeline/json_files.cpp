@@ -37,8 +37,7 @@ int read_int(const JsonReader& reader, long low, long high) {
     return static_cast<int>(reader.integer(low, high));
 }
 
-// --- page.json
-// ----------------------------------------------------------------------------------------------------
+// --- page.json ---------------------------------------------------------------------------------------------
 
 PageCharacter read_page_character(const JsonReader& reader) {
     PageCharacter character;
@@ -56,8 +55,7 @@ PageCharacter read_page_character(const JsonReader& reader) {
     return character;
 }
 
-// --- skeleton.json
-// --------------------------------------------------------------------------------------------------
+// --- skeleton.json -----------------------------------------------------------------------------------------
 
 SkeletonVertex read_vertex(const JsonReader& reader, std::size_t id, int width, int height) {
     SkeletonVertex vertex;
@@ -83,8 +81,7 @@ SkeletonEdge read_edge(const JsonReader& reader, long vertices, int width, int h
     return edge;
 }
 
-// --- identification.json
-// --------------------------------------------------------------------------------------------
+// --- identification.json -----------------------------------------------------------------------------------
 
 Json candidate_to_json(const Candidate& candidate) {
     Json evidence = Json::object();

@@ -386,9 +386,7 @@ Limbs find_limbs(const SkeletonGraph& graph, const LabelMap& labels, const Grid<
 }
 
 LabelMap nearest_labels(const LabelMap& labels) {
-    Mask seeds(labels.width(), labels.height());
-    for (std::size_t i = 0; i < labels.size(); ++i) seeds.data()[i] = labels.data()[i] != 0;
-    const Grid<int> nearest = nearest_seed(seeds);
+    const Grid<int> nearest = nearest_seed(foreground(labels));
     LabelMap filled = labels;
     for (std::size_t i = 0; i < labels.size(); ++i)
         if (nearest.data()[i] >= 0) filled.data()[i] = labels.data()[nearest.data()[i]];

@@ -19,12 +19,6 @@ namespace {
 
 constexpr double depth_step = 0.002; // world units between two parts in the draw order
 
-Mask silhouette_of(const LabelMap& labels) {
-    Mask mask(labels.width(), labels.height());
-    for (std::size_t i = 0; i < labels.size(); ++i) mask.data()[i] = labels.data()[i] != 0;
-    return mask;
-}
-
 // Mean edge of the mesh's full voxels: the cell, also when it was chosen automatically.
 double cell_of(const Mesh& mesh) {
     double longest = 1;
@@ -90,7 +84,7 @@ void require_bones(std::size_t bones) {
 
 void rig_as_in_thesis(Rig& rig, const SkeletonGraph& graph, const LabelMap& labels, const LabelMap& filled,
                       const ReferenceSkeleton& reference, bool mirrored) {
-    const Point2d root = skeleton_paths(graph, filled, distance_transform(silhouette_of(labels))).root;
+    const Point2d root = skeleton_paths(graph, filled, distance_transform(foreground(labels))).root;
     rig.bones = make_thesis_bones(graph, reference, rig.mapping, mirrored, root);
     require_bones(rig.bones.size());
     rig.weights = thesis_weights(rig.mesh, filled, graph, reference, rig.mapping);
@@ -98,7 +92,7 @@ void rig_as_in_thesis(Rig& rig, const SkeletonGraph& graph, const LabelMap& labe
 
 void rig_smoothly(Rig& rig, const SkeletonGraph& graph, const LabelMap& labels, const LabelMap& filled,
                   const ReferenceSkeleton& reference, bool mirrored, const RigOptions& options) {
-    const Mask silhouette = silhouette_of(labels);
+    const Mask silhouette = foreground(labels);
     Limbs limbs = find_limbs(graph, filled, distance_transform(silhouette), reference, rig.mapping);
     const Grid<Owner> pixels = pixel_owners(limbs, skeleton_points(graph), silhouette, filled);
     const std::vector<double> contact = contact_shares(limbs, pixels, silhouette);
@@ -125,7 +119,7 @@ Rig rig_with_mapping(const SkeletonGraph& graph, const LabelMap& labels, const R
     rig.mapping = mapping;
     MeshOptions mesh = options.mesh;
     if (mesh.margin < 0) mesh.margin = ink_margin(rig.width, rig.height);
-    const Mask silhouette = silhouette_of(labels);
+    const Mask silhouette = foreground(labels);
     rig.mesh = marching_squares(silhouette, mesh);
     if (rig.mesh.faces.empty()) throw CharacterRejected("rig", "the silhouette is empty");
     const LabelMap filled = nearest_labels(labels);
@@ -151,7 +145,7 @@ Rig rig(const SkeletonGraph& graph, const LabelMap& labels, const Identification
                      [&](const Candidate& c) { return c.reference == identification.reference; });
     const Candidate candidate = match == identification.candidates.end() ? Candidate{} : *match;
     const Mapping mapping =
-        map_end_effectors(graph, silhouette_of(labels), *reference, candidate, options.mapping);
+        map_end_effectors(graph, foreground(labels), *reference, candidate, options.mapping);
     return rig_with_mapping(graph, labels, *reference, candidate.mirrored, mapping, options);
 }
 

@@ -18,8 +18,7 @@ std::vector<VertexWeights> smooth_weights(const Mesh& mesh, const std::vector<Ow
 // the lower bone), so that they sum to exactly 1, in double and in single precision.
 VertexWeights quantised(const std::vector<double>& per_bone);
 
-// --- Algorithm 4.4
-// -------------------------------------------------------------------------------------------------
+// --- Algorithm 4.4 -----------------------------------------------------------------------------------------
 
 struct FloodInput {
     Point2d end;               // the end-effector

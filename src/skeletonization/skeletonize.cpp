@@ -13,12 +13,6 @@ namespace {
 
 constexpr double reference_side = 321; // pixel constants of the thesis hold at this size
 
-Mask foreground(const LabelMap& labels) {
-    Mask mask(labels.width(), labels.height());
-    for (std::size_t i = 0; i < labels.size(); ++i) mask.data()[i] = labels.data()[i] != 0;
-    return mask;
-}
-
 long area(const Mask& mask) { return std::count(mask.begin(), mask.end(), 1); }
 
 // The largest component, holes up to the share of its area filled.

@@ -33,12 +33,6 @@ std::array<long, label_count> areas(const LabelMap& labels) {
 
 long area_of(const LabelMap& labels, Label label) { return areas(labels)[static_cast<std::size_t>(label)]; }
 
-Mask silhouette(const LabelMap& labels) {
-    Mask mask(labels.width(), labels.height());
-    for (std::size_t i = 0; i < labels.size(); ++i) mask.data()[i] = labels.data()[i] != 0;
-    return mask;
-}
-
 double middle_x(const LabelMap& labels, Label label) {
     double sum = 0;
     for (int y = 0; y < labels.height(); ++y)
@@ -47,7 +41,7 @@ double middle_x(const LabelMap& labels, Label label) {
 }
 
 void check_whole(const LabelMap& labels, const Box& box) {
-    const Mask mask = silhouette(labels);
+    const Mask mask = foreground(labels);
     const Components pieces = connected_components(mask);
     REQUIRE(pieces.list.size() == 1);
     CHECK(pieces.list.front().box == box);
@@ -98,7 +92,7 @@ TEST_CASE("ink lies on the silhouette, and the silhouette's border lies under in
         const GreyImage grey = greyscale(d.picture);
         Mask ink(grey.width(), grey.height());
         for (std::size_t i = 0; i < grey.size(); ++i) ink.data()[i] = grey.data()[i] < 190;
-        const Mask body = silhouette(d.labels), near_body = dilate_square(body, 2),
+        const Mask body = foreground(d.labels), near_body = dilate_square(body, 2),
                    near_ink = dilate_square(ink, 5);
         const Mask core = erode_square(body, 1);
         for (std::size_t i = 0; i < ink.size(); ++i) {
@@ -149,7 +143,7 @@ TEST_CASE("the characters of a page keep apart and their boxes hold their labels
         CHECK(unequal == 0);
         CHECK(beyond == 0);
         CHECK(seen.size() == 5);
-        CHECK(connected_components(silhouette(page.labels)).list.size() == 5);
+        CHECK(connected_components(foreground(page.labels)).list.size() == 5);
     }
 }
 

@@ -3,18 +3,13 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <cstring>
 
 #include "network/reference.hpp"
 #include "pantin/error.hpp"
-#include "random_tensors.hpp"
+#include "support/tensors.hpp"
 
 namespace pantin::network {
 namespace {
-
-bool same_bits(const Tensor& a, const Tensor& b) {
-    return a.same_shape(b) && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
-}
 
 // The layer's result on every supported instruction set with 1 and 3 threads equals `expected`.
 template <class Layer>

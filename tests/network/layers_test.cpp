@@ -6,7 +6,7 @@
 
 #include "network/reference.hpp"
 #include "pantin/error.hpp"
-#include "random_tensors.hpp"
+#include "support/tensors.hpp"
 
 namespace pantin::network {
 

@@ -2,13 +2,13 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <cstring>
 
 #include "core/file.hpp"
 #include "core/random.hpp"
 #include "pantin/error.hpp"
 #include "pantin/segmentation.hpp"
 #include "segmentation/model.hpp"
+#include "support/tensors.hpp"
 
 namespace pantin::segmentation {
 namespace {
@@ -39,10 +39,6 @@ double largest_difference(const Tensor& a, const Tensor& b) {
         largest = std::max(largest, std::abs(x - y) / std::max(0.01, std::abs(y)));
     }
     return largest;
-}
-
-bool same_bits(const Tensor& a, const Tensor& b) {
-    return a.same_shape(b) && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
 }
 
 // The weight file with one text of its header replaced by another of the same length.

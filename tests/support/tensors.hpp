@@ -1,5 +1,9 @@
-// Random layers for the tests, the same on every machine.
+// Tensors for the tests: random ones, the same on every machine, and their comparison.
 #pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 
 #include "core/random.hpp"
 #include "pantin/network.hpp"
@@ -16,6 +20,13 @@ inline Tensor random_tensor(Random& random, int batch, int channels, int height,
     Tensor tensor(batch, channels, height, width);
     for (float& value : tensor) value = random.chance(0.1) ? 0.0f : static_cast<float>(random.uniform(-1, 1));
     return tensor;
+}
+
+// Equal to the bit: NaN equals the same NaN, +0 does not equal −0. Empty tensors (no data) compare by shape.
+inline bool same_bits(const Tensor& a, const Tensor& b) {
+    return a.same_shape(b) && std::equal(a.begin(), a.end(), b.begin(), [](float x, float y) {
+               return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
+           });
 }
 
 // `weights` per filter pair: out·in/groups·height·width in all, in either layout.
