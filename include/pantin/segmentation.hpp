@@ -31,9 +31,10 @@ inline constexpr std::array<const char*, 8> pose_names = {"E", "NE", "N", "NW", 
 //    result still hollow, less than hollow_share of what mask and network see together, half that enclosure,
 //    and then any, is enough.
 // 3. One piece: parts that are not connected are joined to the largest by a bridge as wide as 2·tolerance
-// when
-//    they are large and near enough, else dropped. Small holes are filled, jagged pixels of the outline
+//    when they are large and near enough, else dropped. Small holes are filled, jagged pixels of the outline
 //    smoothed by a 3×3 majority that spares whatever is thin.
+// 4. Rim: the detector's mask ends at the outer edge of the pen, a character in its middle. Pixels within
+//    `rim` of the outside where p < rim_probability are removed, but nothing that is thin.
 struct SilhouetteOptions {
     double fill_probability = 0.5;
     double keep_probability = 0.3;
@@ -47,6 +48,8 @@ struct SilhouetteOptions {
     double piece_share = 0.01;  // least area of a piece that is joined
     double bridge_length = 0.15;
     double hole_share = 0.01; // largest area of a hole that is filled
+    double rim = 0.008;       // length
+    double rim_probability = 0.5;
     // Labels of the silhouette's pixels: the most probable of the five parts, the first among equals. Where
     // the five together have less than part_probability: the label of the nearest pixel where they have more.
     // Pieces of a label smaller than speck_share are given to the labels around them.

@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <memory>
 #include <thread>
 
 #include <unistd.h>
@@ -138,26 +137,6 @@ void print_error(const std::string& message) {
 void print_result(const CommonOptions& options, const std::string& line) {
     clear_progress();
     if (!options.quiet) std::printf("%s\n", line.c_str());
-}
-
-CLI::App* add_folder_command(CLI::App& app, Run& run, const std::string& name, const std::string& description,
-                             FolderStep step) {
-    struct Arguments {
-        CommonOptions common;
-        std::string folder;
-    };
-    const auto arguments = std::make_shared<Arguments>();
-    CLI::App* command = app.add_subcommand(name, description);
-    command->add_option("CHARACTER_DIR", arguments->folder, "folder of the character")->required();
-    add_common_options(*command, arguments->common);
-    command->callback([arguments, step, &run] {
-        run = [arguments, step] {
-            step(arguments->folder, make_settings(arguments->common));
-            clear_progress();
-            return 0;
-        };
-    });
-    return command;
 }
 
 } // namespace pantin::cli

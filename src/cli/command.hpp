@@ -42,18 +42,7 @@ void clear_progress();
 // A result on standard output, unless --quiet.
 void print_result(const CommonOptions& options, const std::string& line);
 
-// One file each.
 void add_animate(CLI::App& app, Run& run);
-void add_detect(CLI::App& app, Run& run);
-void add_segment(CLI::App& app, Run& run);
-void add_skeletonize(CLI::App& app, Run& run);
-void add_identify(CLI::App& app, Run& run);
-void add_rig(CLI::App& app, Run& run);
-void add_render(CLI::App& app, Run& run);
-
-// A subcommand `name` that takes a CHARACTER_DIR and does `step` on it.
-using FolderStep = std::function<void(const std::filesystem::path& folder, const Settings& settings)>;
-CLI::App* add_folder_command(CLI::App& app, Run& run, const std::string& name, const std::string& description,
-                             FolderStep step);
+void add_steps(CLI::App& app, Run& run);
 
 } // namespace pantin::cli

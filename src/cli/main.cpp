@@ -40,12 +40,7 @@ int run_command_line(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer(exit_codes);
     cli::add_animate(app, run);
-    cli::add_detect(app, run);
-    cli::add_segment(app, run);
-    cli::add_skeletonize(app, run);
-    cli::add_identify(app, run);
-    cli::add_rig(app, run);
-    cli::add_render(app, run);
+    cli::add_steps(app, run);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -56,6 +56,8 @@ template <class Visitor> void visit_segmentation(SegmentationOptions& o, Visitor
     visit("segmentation.piece_share", o.silhouette.piece_share, 0, 1);
     visit("segmentation.bridge_length", o.silhouette.bridge_length, 0, 1);
     visit("segmentation.hole_share", o.silhouette.hole_share, 0, 1);
+    visit("segmentation.rim", o.silhouette.rim, 0, 1);
+    visit("segmentation.rim_probability", o.silhouette.rim_probability, 0, 1);
     visit("segmentation.part_probability", o.silhouette.part_probability, 0, 1);
     visit("segmentation.speck_share", o.silhouette.speck_share, 0, 1);
 }

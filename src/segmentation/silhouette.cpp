@@ -174,6 +174,19 @@ Mask smooth(const Mask& mask) {
     });
 }
 
+// The pen's outer half, where the network sees background. What an opening by twice the rim would lose is thin.
+Mask trim_rim(const Mask& mask, const Grid<float>& foreground, const SilhouetteOptions& options,
+              double longer_side) {
+    const double rim = options.rim * longer_side;
+    const Mask bulk = open_disc(mask, 2 * rim);
+    const Grid<int> squared = squared_distance_transform(pad(mask, 1));
+    return where(mask, [&](int x, int y) {
+        const bool trimmed = bulk(x, y) && squared(x + 1, y + 1) <= rim * rim &&
+                             foreground(x, y) < options.rim_probability;
+        return mask(x, y) && !trimmed;
+    });
+}
+
 } // namespace
 
 Mask decide_silhouette(const Mask& detected, const Grid<float>& foreground, const Grid<float>& ink,
@@ -185,7 +198,7 @@ Mask decide_silhouette(const Mask& detected, const Grid<float>& foreground, cons
     mask = fill_open_outlines(mask, foreground, options, radius);
     mask = join_pieces(mask, options, longer_side, radius);
     mask = fill_holes(mask, static_cast<long>(options.hole_share * static_cast<double>(area(mask))));
-    return largest_component(smooth(mask));
+    return largest_component(trim_rim(smooth(mask), foreground, options, longer_side));
 }
 
 } // namespace pantin::segmentation

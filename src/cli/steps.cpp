@@ -1,0 +1,89 @@
+// The steps one by one: pantin detect IMAGE -o DIR, then segment, skeletonize, identify, rig and render
+// CHARACTER_DIR. They share a file because they are few lines around one header that takes long to compile.
+#include <memory>
+
+#include "cli/command.hpp"
+
+namespace pantin::cli {
+
+namespace {
+
+using FolderStep = std::function<void(const std::filesystem::path& folder, const Settings& settings)>;
+
+struct DetectArguments {
+    CommonOptions common;
+    std::string image, out;
+};
+
+int run_detect(const DetectArguments& arguments) {
+    const Page page = detect_page(arguments.image, arguments.out, make_settings(arguments.common));
+    for (const PageCharacter& character : page.characters)
+        print_result(arguments.common, (std::filesystem::path(arguments.out) / character.folder).string());
+    return 0;
+}
+
+void add_detect(CLI::App& app, Run& run) {
+    const auto arguments = std::make_shared<DetectArguments>();
+    CLI::App* command = app.add_subcommand("detect", "step 1: the page to characters");
+    command->add_option("IMAGE", arguments->image, "PNG or JPEG page")->required();
+    command->add_option("-o,--output", arguments->out, "folder for the results")->required();
+    add_common_options(*command, arguments->common);
+    command->callback([arguments, &run] { run = [arguments] { return run_detect(*arguments); }; });
+}
+
+struct FolderArguments {
+    CommonOptions common;
+    RenderFlags render; // of `render` alone
+    std::string folder;
+};
+
+// A subcommand `name` that takes a CHARACTER_DIR and does `step` on it.
+CLI::App* add_folder_command(CLI::App& app, Run& run, const std::string& name, const std::string& description,
+                             const std::shared_ptr<FolderArguments>& arguments, const FolderStep& step) {
+    CLI::App* command = app.add_subcommand(name, description);
+    command->add_option("CHARACTER_DIR", arguments->folder, "folder of the character")->required();
+    add_common_options(*command, arguments->common);
+    command->callback([arguments, step, &run] {
+        run = [arguments, step] {
+            step(arguments->folder, make_settings(arguments->common, arguments->render));
+            clear_progress();
+            return 0;
+        };
+    });
+    return command;
+}
+
+void add_rig(CLI::App& app, Run& run) {
+    const auto mapping = std::make_shared<std::string>();
+    const auto rig_with = [mapping](const std::filesystem::path& folder, Settings settings) {
+        settings.mapping = *mapping;
+        rig_folder(folder, settings);
+    };
+    add_folder_command(app, run, "rig", "step 5: mesh, bones, weights and character.glb",
+                       std::make_shared<FolderArguments>(), rig_with)
+        ->add_option("--mapping", *mapping,
+                     "mapping.json with the pairs of end-effectors to use instead of matching");
+}
+
+void add_render(CLI::App& app, Run& run) {
+    const auto arguments = std::make_shared<FolderArguments>();
+    CLI::App* command = add_folder_command(app, run, "render", "frames, WebP and GIF of the clips", arguments,
+                                           render_folder);
+    add_render_options(*command, arguments->render);
+}
+
+} // namespace
+
+void add_steps(CLI::App& app, Run& run) {
+    const auto add = [&](const char* name, const char* description, const FolderStep& step) {
+        add_folder_command(app, run, name, description, std::make_shared<FolderArguments>(), step);
+    };
+    add_detect(app, run);
+    add("segment", "step 2: the character to part labels", segment_folder);
+    add("skeletonize", "step 3: part labels to the skeleton", skeletonize_folder);
+    add("identify", "step 4: the skeleton to the reference that it moves like", identify_folder);
+    add_rig(app, run);
+    add_render(app, run);
+}
+
+} // namespace pantin::cli
