@@ -12,7 +12,7 @@ namespace pantin {
 
 std::string to_obj(const Rig& rig, const std::string& mtl_file);
 std::string to_mtl(const std::string& texture_file);
-std::string to_weights_text(const Rig& rig); // "# pantin weights 1", DESIGN.md section 3
+std::string to_weights_text(const Rig& rig); // "# pantin weights 1", docs/formats.md
 // glTF 2.0 binary: one skinned mesh at the scene root, unlit textured material, one animation per clip.
 std::vector<unsigned char> to_glb(const Rig& rig, const RgbaImage& texture, const std::vector<BoneAnimation>& animations);
 

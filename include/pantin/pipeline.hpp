@@ -1,7 +1,7 @@
 // The whole way from a page to animated characters, and each step of it alone on a character's folder.
 //
-// Files and folders: DESIGN of the formats in docs/formats.md. Every step keeps what it makes in memory and
-// writes it; a step that runs alone reads the files of the steps before it. Both ways give the same bytes.
+// Files and folders: docs/formats.md. Every step keeps what it makes in memory and writes it; a step that runs
+// alone reads the files of the steps before it. Both ways give the same bytes.
 #pragma once
 
 #include <filesystem>

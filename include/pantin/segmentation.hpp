@@ -17,9 +17,8 @@ namespace pantin {
 // picture, W to the left, S towards the viewer, N away.
 inline constexpr std::array<const char*, 8> pose_names = {"E", "NE", "N", "NW", "W", "SW", "S", "SE"};
 
-// The silhouette's last word (DESIGN.md section 2). p(x, y) is the network's foreground probability,
-// 1 − p(background), at working size; lengths are shares of the working crop's longer side, areas shares of
-// the silhouette's area.
+// The silhouette's last word. p(x, y) is the network's foreground probability, 1 − p(background), at working
+// size; lengths are shares of the working crop's longer side, areas shares of the silhouette's area.
 //
 // 1. Cut: a region of the mask without ink where p < keep_probability is removed, when it is thicker than
 //    2·tolerance and at least open_share of its border lies along the outside (what the detector's closing
