@@ -182,7 +182,7 @@ def augment(ink, labels, expert, pose, rng, size):
         labels = labels[::2, ::2]
     ys, xs = np.nonzero(labels)
     low, high = np.array([xs.min(), ys.min()]), np.array([xs.max() + 1, ys.max() + 1])
-    angle = np.radians(rng.normal(0, 6) if rng.random() < 0.8 else rng.uniform(-15, 15))
+    angle = np.radians(rng.normal(0, 6) if rng.random() < 0.7 else rng.uniform(-32, 32))
     stretch = np.diag(np.exp(rng.normal(0, 0.07, 2))) @ (np.diag([-1, 1]) if flip else np.eye(2))
     forward = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]) @ stretch
     corners = np.array([[x, y] for x in (low[0], high[0]) for y in (low[1], high[1])]) @ forward.T
@@ -192,8 +192,11 @@ def augment(ink, labels, expert, pose, rng, size):
         shrink = 1
     extent = (corners.max(0) - corners.min(0)).max() * shrink
     scale = size * (1 - 2 * rng.uniform(0.0, 0.06)) / extent
+    partial = rng.random() < 0.06                        # a character at the page's border: a part of it is not there
+    if partial:
+        scale *= rng.uniform(1.05, 1.3)
     forward = scale * forward
-    shift = size / 2 - forward @ ((low + high) / 2) + rng.uniform(-0.015, 0.015, 2) * size
+    shift = size / 2 - forward @ ((low + high) / 2) + rng.uniform(-0.015, 0.015, 2) * size * (10 if partial else 1)
     matrix = np.c_[forward, shift].astype(np.float32)
     if rng.random() < 0.5:
         inverse = cv2.invertAffineTransform(matrix)
@@ -210,7 +213,18 @@ def augment(ink, labels, expert, pose, rng, size):
         labels = cv2.warpAffine(labels, matrix, (size, size), flags=cv2.INTER_NEAREST)
     if flip and pose != UNKNOWN:
         pose = POSES.index(POSES[pose].translate(str.maketrans("EW", "WE")))
-    return look(ink, rng), labels, expert, pose
+    return cut_out(look(ink, rng), rng), labels, expert, pose
+
+
+def cut_out(ink, rng):
+    """at times a few small squares without ink: gaps in the outline anywhere."""
+    if rng.random() < 0.2:
+        size = ink.shape[0]
+        for _ in range(int(rng.integers(1, 5))):
+            side = int(rng.uniform(0.02, 0.09) * size)
+            x, y = rng.integers(0, size - side, 2)
+            ink[y:y + side, x:x + side] = 0
+    return ink
 
 
 def look(ink, rng):
