@@ -74,11 +74,13 @@ RESOURCES := $(sort $(wildcard weights/*.safetensors references/*.json))
 .PHONY: all demo demo-run test test-run sanitize bench install uninstall clean deps doodle check-gltf
 all: $(BUILD)/pantin
 
-# Set-up happens in a first make, so that the second one sees the libraries that were just installed.
+# Set-up happens in a first make, so that the second one sees the libraries that were just installed. The second one uses
+# all cores unless -j was given.
+jobs = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell nproc 2>/dev/null || echo 2))
 demo: deps
-	@$(MAKE) --no-print-directory demo-run
+	@$(MAKE) $(jobs) --no-print-directory demo-run
 test: deps
-	@$(MAKE) --no-print-directory test-run
+	@$(MAKE) $(jobs) --no-print-directory test-run
 deps:
 	@tools/install_deps.sh
 
