@@ -111,9 +111,10 @@ $(BUILD)/doodle: $(BUILD)/tools/doodle/main.o $(DOODLE_OBJECTS) $(BUILD)/libpant
 $(BUILD)/pantin-tests: $(TEST_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
 	$(CXX) $(LDFLAGS) -o $@ $^ $(TEST_LDLIBS) $(LDLIBS)
 $(BUILD)/tests/%.o: CPPFLAGS += -Itests
+# Tests take longer to compile than to run; instrumented assertions and option parsers most of all.
+$(BUILD)/tests/%.o: CXXFLAGS += -O$(if $(filter release,$(config)),1,0)
 ifeq ($(config),sanitize)
-# Instrumented assertions and option parsers take twice as long to compile with optimisation, and no time to run.
-$(BUILD)/tests/%.o $(BUILD)/src/cli/%.o: CXXFLAGS += -O0
+$(BUILD)/src/cli/%.o: CXXFLAGS += -O0
 endif
 $(BUILD)/bench: $(BENCH_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
 	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
