@@ -68,6 +68,7 @@ DOODLE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out tools/doodle/main.c
 TEST_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tests/*.cpp tests/*/*.cpp)))
 BENCH_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/bench/*.cpp)))
 COMPARE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/compare/*.cpp)))
+TORCH_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out tools/compare_torch/main.cpp,$(sort $(wildcard tools/compare_torch/*.cpp))))
 EVALUATE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/identification/*.cpp)))
 RESOURCES := $(sort $(wildcard weights/*.safetensors references/*.json))
 
@@ -108,7 +109,7 @@ $(BUILD)/libpantin.a: $(LIB_OBJECTS)
 	$(AR) rcsD $@ $^
 $(BUILD)/doodle: $(BUILD)/tools/doodle/main.o $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
 	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
-$(BUILD)/pantin-tests: $(TEST_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
+$(BUILD)/pantin-tests: $(TEST_OBJECTS) $(DOODLE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/libpantin.a
 	$(CXX) $(LDFLAGS) -o $@ $^ $(TEST_LDLIBS) $(LDLIBS)
 $(BUILD)/tests/%.o: CPPFLAGS += -Itests
 # Tests take longer to compile than to run; instrumented assertions and option parsers most of all.
@@ -120,6 +121,8 @@ $(BUILD)/bench: $(BENCH_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
 	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 $(BUILD)/compare_reference: $(COMPARE_OBJECTS) $(BUILD)/libpantin.a
+	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+$(BUILD)/compare_torch: $(BUILD)/tools/compare_torch/main.o $(TORCH_OBJECTS) $(BUILD)/libpantin.a
 	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 $(BUILD)/evaluate_identification: $(EVALUATE_OBJECTS) $(BUILD)/libpantin.a
 	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
@@ -134,7 +137,7 @@ $(BUILD)/resources.o: $(BUILD)/resources.S
 $(BUILD)/%.o: %.cpp
 	@mkdir -p $(@D)
 	$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(FILE_FLAGS) -MMD -MP -c -o $@ $<
--include $(patsubst %.o,%.d,$(LIB_OBJECTS) $(DOODLE_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS) $(COMPARE_OBJECTS) $(EVALUATE_OBJECTS) $(BUILD)/src/cli/main.o $(BUILD)/tools/doodle/main.o)
+-include $(patsubst %.o,%.d,$(LIB_OBJECTS) $(DOODLE_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS) $(COMPARE_OBJECTS) $(EVALUATE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/tools/compare_torch/main.o $(BUILD)/src/cli/main.o $(BUILD)/tools/doodle/main.o)
 
 install: $(BUILD)/pantin
 	$(INSTALL) -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib $(DESTDIR)$(PREFIX)/include/pantin

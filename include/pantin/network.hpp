@@ -112,6 +112,7 @@ public:
     bool contains(const std::string& name) const { return entries_.count(name) != 0; }
     std::vector<std::string> names() const; // in alphabetical order
     std::vector<std::int64_t> shape(const std::string& name) const;
+    bool has_metadata(const std::string& key) const { return metadata_.count(key) != 0; }
     // Value of `__metadata__`; Error(weights) when missing.
     const std::string& metadata(const std::string& key) const;
     // The tensor as floats. Error(weights) when missing, of another shape or type, or with a value that is
@@ -217,8 +218,9 @@ private:
 
 // --- layers without weights ------------------------------------------------------------------------------
 
-// Padded taps do not count. `ceil_mode` off, as PyTorch's default.
-Tensor max_pool(const Tensor& input, int kernel, int stride, int padding = 0);
+// Padded taps do not count. With `ceil_mode` a last window that starts inside the image or its left padding
+// may reach beyond the right one, as in PyTorch.
+Tensor max_pool(const Tensor& input, int kernel, int stride, int padding = 0, bool ceil_mode = false);
 // Sum in raster order in double, divided by the number of taps inside the image (count_include_pad = false).
 Tensor average_pool(const Tensor& input, int kernel, int stride, int padding = 0);
 Tensor global_average_pool(const Tensor& input);
@@ -231,6 +233,10 @@ Tensor concatenate(const Tensor& a, const Tensor& b); // along channels
 Tensor resize_nearest(const Tensor& input, int height, int width);
 // PyTorch's bilinear interpolation with align_corners = false, without antialiasing.
 Tensor resize_bilinear(const Tensor& input, int height, int width, const Runtime& runtime);
+// The same with align_corners = true: the corner pixels' centres stay where they are.
+Tensor resize_corners(const Tensor& input, int height, int width);
+// 1 / (1 + exp(−x)) in double by math::exp, rounded once.
+Tensor sigmoid(const Tensor& logits);
 // Over channels: exp(x − max) in double by math::exp, summed in the order of channels, rounded once.
 Tensor softmax(const Tensor& logits, const Runtime& runtime);
 

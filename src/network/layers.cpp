@@ -1,4 +1,4 @@
-// Layers without weights: pooling, activations, joining, resizing, softmax.
+// Layers without weights: pooling, activations, joining, resizing, sigmoid, softmax.
 #include <algorithm>
 #include <limits>
 
@@ -14,10 +14,13 @@ namespace {
 // Calls visit(plane, output place, first row, row after the last, first column, column after the last) for
 // every window, cut at the image.
 template <class Visit>
-Tensor pool(const Tensor& input, int kernel, int stride, int padding, const Visit& visit) {
+Tensor pool(const Tensor& input, int kernel, int stride, int padding, bool ceil_mode, const Visit& visit) {
     if (kernel < 1 || stride < 1 || padding < 0 || 2 * padding > kernel)
         fail("a pooling layer with an impossible window");
-    const auto extent = [&](int size) { return std::max(0, (size + 2 * padding - kernel) / stride + 1); };
+    const auto extent = [&](int size) {
+        const int windows = (size + 2 * padding - kernel + (ceil_mode ? stride - 1 : 0)) / stride + 1;
+        return (windows - 1) * stride >= size + padding ? windows - 1 : windows;
+    };
     if (input.height() + 2 * padding < kernel || input.width() + 2 * padding < kernel)
         fail("a pooling window larger than its image");
     Tensor output(input.batch(), input.channels(), extent(input.height()), extent(input.width()));
@@ -35,8 +38,8 @@ Tensor pool(const Tensor& input, int kernel, int stride, int padding, const Visi
 
 } // namespace
 
-Tensor max_pool(const Tensor& input, int kernel, int stride, int padding) {
-    return pool(input, kernel, stride, padding,
+Tensor max_pool(const Tensor& input, int kernel, int stride, int padding, bool ceil_mode) {
+    return pool(input, kernel, stride, padding, ceil_mode,
                 [&](const float* plane, int top, int bottom, int left, int right) {
                     float best = -std::numeric_limits<float>::infinity();
                     for (int y = top; y < bottom; ++y)
@@ -47,7 +50,7 @@ Tensor max_pool(const Tensor& input, int kernel, int stride, int padding) {
 }
 
 Tensor average_pool(const Tensor& input, int kernel, int stride, int padding) {
-    return pool(input, kernel, stride, padding,
+    return pool(input, kernel, stride, padding, false,
                 [&](const float* plane, int top, int bottom, int left, int right) {
                     double sum = 0;
                     for (int y = top; y < bottom; ++y)
@@ -176,7 +179,40 @@ Tensor resize_bilinear(const Tensor& input, int height, int width, const Runtime
     return output;
 }
 
-// --- softmax ---------------------------------------------------------------------------------------------
+Tensor resize_corners(const Tensor& input, int height, int width) {
+    Tensor output(input.batch(), input.channels(), height, width);
+    // The place x·(from − 1)/(to − 1) as its whole part and its fraction, the latter rounded once.
+    struct Place {
+        int low, high;
+        float fraction;
+    };
+    const auto place = [](int at, int from, int to) {
+        const std::int64_t steps = std::max(1, to - 1), along = static_cast<std::int64_t>(at) * (from - 1);
+        const int low = static_cast<int>(along / steps);
+        return Place{low, std::min(low + 1, from - 1),
+                     static_cast<float>(along % steps) / static_cast<float>(steps)};
+    };
+    for (int n = 0; n < input.batch(); ++n)
+        for (int c = 0; c < input.channels(); ++c)
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x) {
+                    const Place v = place(y, input.height(), height), h = place(x, input.width(), width);
+                    const float above = input(n, c, v.low, h.low) * (1 - h.fraction) +
+                                        input(n, c, v.low, h.high) * h.fraction;
+                    const float below = input(n, c, v.high, h.low) * (1 - h.fraction) +
+                                        input(n, c, v.high, h.high) * h.fraction;
+                    output(n, c, y, x) = above * (1 - v.fraction) + below * v.fraction;
+                }
+    return output;
+}
+
+// --- probabilities ---------------------------------------------------------------------------------------
+
+Tensor sigmoid(const Tensor& logits) {
+    Tensor output = logits;
+    for (float& x : output) x = static_cast<float>(1 / (1 + math::exp(-static_cast<double>(x))));
+    return output;
+}
 
 Tensor softmax(const Tensor& logits, const Runtime& runtime) {
     Tensor output(logits.batch(), logits.channels(), logits.height(), logits.width());

@@ -1,6 +1,7 @@
 // From the weight file to the network's modules.
 #include <charconv>
 
+#include "network/layer_reader.hpp"
 #include "pantin/label.hpp"
 #include "pantin/segmentation.hpp"
 #include "segmentation/model.hpp"
@@ -59,25 +60,15 @@ struct Shape {
 
 // A convolution without bias, its normalisation folded in.
 network::Convolution read_convolution(const WeightFile& file, const std::string& name, const Shape& shape) {
-    network::Filters filters;
-    filters.out = shape.out;
-    filters.in = shape.in;
-    filters.height = filters.width = shape.kernel;
-    filters.weights = file.read(name + ".conv.weight", {shape.out, shape.in, shape.kernel, shape.kernel});
-    filters.bias.assign(static_cast<std::size_t>(shape.out), 0.0f);
-    network::BatchNorm norm;
-    norm.gamma = file.read(name + ".norm.weight", {shape.out});
-    norm.beta = file.read(name + ".norm.bias", {shape.out});
-    norm.mean = file.read(name + ".norm.running_mean", {shape.out});
-    norm.variance = file.read(name + ".norm.running_var", {shape.out});
-    for (const float variance : norm.variance)
-        if (variance < 0) file.fail("tensor '" + name + ".norm.running_var' holds a negative variance");
     network::ConvolutionOptions options;
     options.stride = shape.stride;
     options.dilation = shape.dilation;
     options.padding = shape.kernel / 2 * shape.dilation;
     options.relu = shape.relu;
-    return {network::fold(std::move(filters), norm), options};
+    const std::string conv = name + ".conv";
+    if (file.shape(conv + ".weight") != std::vector<std::int64_t>{shape.out, shape.in, shape.kernel, shape.kernel})
+        file.fail("tensor '" + conv + ".weight' has another shape than the metadata says");
+    return network::LayerReader{file}.convolution(conv, name + ".norm", shape.in, options);
 }
 
 Residual read_residual(const WeightFile& file, const std::string& name, int width, int dilation = 1) {
@@ -88,21 +79,23 @@ Residual read_residual(const WeightFile& file, const std::string& name, int widt
 }
 
 network::Linear read_linear(const WeightFile& file, const std::string& name, int in, int out) {
-    return {out, in, file.read(name + ".weight", {out, in}), file.read(name + ".bias", {out})};
+    const network::LayerReader reader{file};
+    if (reader.extent(name + ".weight", 2, 0) != out)
+        file.fail("tensor '" + name + ".weight' needs " + std::to_string(out) + " rows");
+    return reader.linear(name, in);
 }
 
 Expert read_expert(const WeightFile& file, const std::string& name, const std::vector<int>& widths,
                    const std::vector<int>& decoder) {
-    network::Filters filters;
-    filters.in = decoder.back();
-    filters.out = label_count;
-    filters.height = filters.width = 2;
-    filters.weights = file.read(name + ".logits.weight", {filters.in, filters.out, 2, 2});
-    filters.bias = file.read(name + ".logits.bias", {filters.out});
-    network::ConvolutionOptions options;
-    options.stride = 2;
-    Expert expert{
-        read_residual(file, name + ".context", widths.back(), 2), {}, {std::move(filters), options}};
+    network::ConvolutionOptions doubling;
+    doubling.stride = 2;
+    const network::LayerReader reader{file};
+    if (reader.extent(name + ".logits.weight", 4, 1) != label_count || reader.extent(name + ".logits.weight", 4, 2) != 2 ||
+        reader.extent(name + ".logits.weight", 4, 3) != 2)
+        file.fail("tensor '" + name + ".logits.weight' does not make six labels at twice the size");
+    Expert expert{read_residual(file, name + ".context", widths.back(), 2),
+                  {},
+                  reader.transposed_convolution(name + ".logits", decoder.back(), doubling)};
     int width = widths.back();
     for (int i = 0; i < stages - 1; ++i) {
         const int skip = widths[static_cast<std::size_t>(stages - 2 - i)],

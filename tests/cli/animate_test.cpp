@@ -208,7 +208,7 @@ TEST_CASE("mesh.obj and weights.txt speak of the same vertices", "[cli][end-to-e
 }
 
 TEST_CASE("The films move, loop for ever and have legal delays", "[cli][end-to-end]") {
-    for (const fs::path& folder : demo_characters()) {
+    for ([[maybe_unused]] const fs::path& folder : demo_characters()) {
 #ifdef PANTIN_GIF
         const Film gif = read_gif(bytes_of(folder / "animation.gif"));
         CHECK(gif.loops_for_ever);

@@ -9,6 +9,7 @@
 #include "pantin/segmentation.hpp"
 #include "segmentation/model.hpp"
 #include "support/tensors.hpp"
+#include "support/weight_files.hpp"
 
 namespace pantin::segmentation {
 namespace {
@@ -41,24 +42,10 @@ double largest_difference(const Tensor& a, const Tensor& b) {
     return largest;
 }
 
-// The weight file with one text of its header replaced by another of the same length.
-Bytes with_header_text(const std::string& from, const std::string& to) {
-    REQUIRE(from.size() == to.size());
-    Bytes bytes = weights();
-    const auto found = std::search(bytes.begin(), bytes.end(), from.begin(), from.end());
-    REQUIRE(found != bytes.end());
-    std::copy(to.begin(), to.end(), found);
-    return bytes;
-}
+Bytes with_header_text(const std::string& from, const std::string& to) { return with_text(weights(), from, to); }
 
 std::string failure(const Bytes& bytes) {
-    try {
-        Segmenter(bytes, "w");
-    } catch (const Error& error) {
-        CHECK(error.kind() == ErrorKind::weights);
-        return error.what();
-    }
-    return "";
+    return failure_of([&] { Segmenter(bytes, "w"); });
 }
 
 } // namespace
@@ -111,7 +98,7 @@ TEST_CASE("A weight file for another network is refused with the fact") {
     CHECK(failure(with_header_text("head,body", "body,head")) ==
           "w: metadata 'labels' is 'background,body,head,limb,tail,wing', not "
           "'background,head,body,limb,tail,wing'");
-    CHECK(failure(with_header_text("\"4,6,8,10\"", "\"4,6,8,99\"")).find("has shape") != std::string::npos);
+    CHECK(failure(with_header_text("\"4,6,8,10\"", "\"4,6,8,99\"")).find("has another shape") != std::string::npos);
     CHECK(failure(with_header_text("\"4,6,8,10\"", "\"4,6,8,1x\"")) ==
           "w: metadata 'widths' has the impossible value '1x'");
     CHECK(failure(with_header_text("\"4,6,8,10\"", "\"4,6,8;10\"")) ==

@@ -1,0 +1,30 @@
+// Residual network and feature pyramid.
+#include "detection/mask_rcnn/model.hpp"
+
+namespace pantin::mask_rcnn {
+
+std::vector<Tensor> ResNet::forward(const Tensor& image, const Runtime& runtime) const {
+    Tensor x = network::max_pool(stem.forward(image, runtime), 3, 2, 1); // [64, height/4, width/4]
+    std::vector<Tensor> stages;
+    for (const std::vector<network::ResidualBlock>& layer : layers) {
+        x = network::forward(layer, x, runtime);
+        stages.push_back(x); // [256, /4], [512, /8], [1024, /16], [2048, /32]
+    }
+    return stages;
+}
+
+std::vector<Tensor> FeaturePyramid::forward(const std::vector<Tensor>& stages, const Runtime& runtime) const {
+    std::vector<Tensor> levels(stages.size()); // [256, …] each
+    Tensor merged;
+    for (std::size_t i = stages.size(); i-- > 0;) {
+        Tensor lateral = inner[i].forward(stages[i], runtime);
+        if (i + 1 < stages.size())
+            network::add(lateral, network::resize_nearest(merged, lateral.height(), lateral.width()));
+        merged = std::move(lateral);
+        levels[i] = layer[i].forward(merged, runtime);
+    }
+    levels.push_back(network::max_pool(levels.back(), 1, 2));
+    return levels;
+}
+
+} // namespace pantin::mask_rcnn

@@ -1,0 +1,21 @@
+#include "network/residual.hpp"
+
+namespace pantin::network {
+
+Tensor ResidualBlock::forward(const Tensor& x, const Runtime& runtime) const {
+    Tensor y = branch[0].forward(x, runtime);
+    for (std::size_t i = 1; i < branch.size(); ++i) y = branch[i].forward(y, runtime);
+    if (downsample)
+        add_relu(y, downsample->forward(x, runtime));
+    else
+        add_relu(y, x);
+    return y;
+}
+
+Tensor forward(const std::vector<ResidualBlock>& blocks, const Tensor& x, const Runtime& runtime) {
+    Tensor y = blocks[0].forward(x, runtime);
+    for (std::size_t i = 1; i < blocks.size(); ++i) y = blocks[i].forward(y, runtime);
+    return y;
+}
+
+} // namespace pantin::network
