@@ -1,0 +1,91 @@
+"""Pages of several characters for the detector, composed from the shards of dataset.py: random place, size and rotation, never overlapping,
+with stray marks, ruled lines and the look of a photograph at times."""
+import cv2
+import numpy as np
+
+import dataset
+import render
+
+LONGER = 384
+
+
+def character(shards, rng):
+    """ink (h, w) uint8 and mask (h, w) bool of one drawing, cut to its box."""
+    ink, labels, _, _ = shards.draw(rng)
+    mask = labels > 0
+    ys, xs = np.nonzero(cv2.dilate(mask.astype(np.uint8), np.ones((9, 9), np.uint8)))
+    box = np.s_[ys.min():ys.max() + 1, xs.min():xs.max() + 1]
+    return np.asarray(ink[box]), mask[box]
+
+
+def turned(ink, mask, side, rng):
+    """the drawing at another size (longer side `side`), mirrored and turned: mostly a little, sometimes by quarters or at any angle."""
+    choice = rng.random()
+    angle = rng.normal(0, 8) if choice < 0.6 else rng.uniform(-30, 30) if choice < 0.8 else 90 * int(rng.integers(1, 4)) if choice < 0.93 \
+        else rng.uniform(0, 360)
+    h, w = mask.shape
+    scale = side / max(h, w)
+    matrix = cv2.getRotationMatrix2D((w / 2, h / 2), angle, scale)
+    if rng.random() < 0.5:
+        matrix = matrix @ np.array([[-1, 0, w - 1], [0, 1, 0], [0, 0, 1]], float)
+    size = int(np.ceil(np.hypot(h, w) * scale)) + 4
+    matrix[:, 2] += size / 2 - np.array([w, h]) / 2
+    if scale < 0.6:                                               # thin lines survive: blurred before they shrink
+        ink = cv2.GaussianBlur(ink, (0, 0), 0.35 / scale)
+    ink = cv2.warpAffine(ink, matrix, (size, size), flags=cv2.INTER_LINEAR)
+    mask = cv2.warpAffine(mask.astype(np.uint8), matrix, (size, size), flags=cv2.INTER_NEAREST) > 0
+    ys, xs = np.nonzero(mask | (ink > 40))
+    if len(ys) < 20:
+        return None
+    box = np.s_[ys.min():ys.max() + 1, xs.min():xs.max() + 1]
+    return ink[box], mask[box]
+
+
+def stray_marks(page, free, rng):
+    """marks that are no character: dashes, scribbles, ruled lines; only where no character is."""
+    h, w = page.shape
+    layer = np.zeros_like(page)
+    for _ in range(int(rng.integers(0, 5))):
+        x, y, r = rng.uniform(0, w), rng.uniform(0, h), rng.uniform(2, 14)
+        points = np.cumsum(rng.normal(0, r / 3, (int(rng.integers(2, 12)), 2)), 0) + (x, y)
+        cv2.polylines(layer, [np.round(points * 16).astype(np.int32)], False, int(rng.integers(90, 256)), 1, cv2.LINE_AA, 4)
+    layer[~free] = 0
+    if rng.random() < 0.06:
+        step, level = int(rng.integers(9, 24)), int(rng.integers(15, 90))
+        for y in range(int(rng.integers(0, step)), h, step):
+            cv2.line(layer, (0, y), (w, y), level, 1)
+    return np.maximum(page, layer)
+
+
+def compose(shards, rng):
+    """ink (h, w) float32 in [0, 1] and masks (n, h, w) bool."""
+    longer = LONGER
+    shorter = int(longer * rng.uniform(0.6, 1.0))
+    w, h = (longer, shorter) if rng.random() < 0.7 else (shorter, longer)
+    page, taken, masks = np.zeros((h, w), np.uint8), np.zeros((h, w), np.uint8), []
+    count = int(rng.choice([0, 1, 2, 3, 4, 5, 6], p=[0.02, 0.26, 0.22, 0.2, 0.15, 0.1, 0.05]))
+    for _ in range(count):
+        largest = 0.95 if count == 1 else 0.75 if count == 2 else 0.55
+        drawing = turned(*character(shards, rng), min(w, h) * rng.uniform(0.22, largest), rng)
+        if drawing is None:
+            continue
+        ink, mask = drawing
+        a, b = mask.shape
+        if a >= h or b >= w:
+            continue
+        near = cv2.dilate(np.pad((mask | (ink > 40)).astype(np.uint8), 4), np.ones((3, 3), np.uint8), iterations=int(rng.integers(1, 4)))
+        for _ in range(25):
+            y, x = int(rng.integers(0, h - a)), int(rng.integers(0, w - b))
+            y0, x0 = max(0, y - 4), max(0, x - 4)
+            window = taken[y0:y + a + 4, x0:x + b + 4]
+            part = near[y0 - (y - 4):, x0 - (x - 4):][:window.shape[0], :window.shape[1]]
+            if (window & part).any():
+                continue
+            page[y:y + a, x:x + b] = np.maximum(page[y:y + a, x:x + b], ink)
+            taken[y:y + a, x:x + b] |= (mask | (ink > 40)).astype(np.uint8)
+            whole = np.zeros((h, w), bool)
+            whole[y:y + a, x:x + b] = mask
+            masks.append(whole)
+            break
+    page = stray_marks(page, cv2.dilate(taken, np.ones((9, 9), np.uint8)) == 0, rng)
+    return dataset.look(page, rng), np.array(masks, bool).reshape(-1, h, w)
