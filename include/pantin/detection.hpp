@@ -1,6 +1,8 @@
 // Step 1 (thesis 4.2): a page to characters, each with its box and its filled silhouette.
 #pragma once
 
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,7 +11,12 @@
 
 namespace pantin {
 
+// The classical alternative that thesis 4.2 describes; the network that the thesis uses.
+enum class Detector { contour, mask_rcnn };
+inline constexpr const char* detector_names[] = {"contour", "mask-rcnn"};
+
 struct DetectionOptions {
+    Detector detector = Detector::contour;
     int working_size =
         512; // longer side of the working crop at most; `thesis`: 321 (its network's input, ch. 5)
     int max_characters = 64; // a page with more keeps the ones with the largest boxes
@@ -39,6 +46,36 @@ struct DetectionOptions {
     double room_gain = 0.2;         // side by side only if this share of what they enclose needs both
     double min_share = 0.15;        // groups smaller than this share of the largest are dropped
     int min_side = 16;              // page pixels; smaller characters are dropped
+
+    // Grouping by Mask R-CNN (src/detection/network_grouping.hpp).
+    double network_score = 0.5;    // least score of a detection
+    double shared_claim = 0.2;     // a piece of ink of which others claim this share is divided
+    double unclaimed_reach = 0.06; // ink that nobody claims belongs to a character this near (of its diagonal)
+    int threads = 1;               // of the network; results do not depend on it
+};
+
+// Mask R-CNN (He et al. 2017; thesis 4.2, ch. 5) on the page's ink darkness.
+class CharacterFinder {
+public:
+    // Reads the weights (safetensors). Throws Error(weights) naming `source`.
+    CharacterFinder(std::span<const unsigned char> weights, const std::string& source);
+    ~CharacterFinder();
+    CharacterFinder(CharacterFinder&&) noexcept;
+
+    struct Found {
+        double score = 0;
+        double left = 0, top = 0, right = 0, bottom = 0; // page pixels
+        Grid<float> mask;                                // probabilities inside the box, 28×28
+    };
+    // By descending score.
+    std::vector<Found> find(const RgbImage& page, int threads = 1) const;
+    // Number of the found character that claims each pixel most, by mask times score where the mask is at least
+    // one half; 0: none. The page is width × height pixels, seen at `factor` pixels per grid cell.
+    static Grid<int> claims(const std::vector<Found>& found, int width, int height, int factor);
+
+private:
+    struct Model;
+    std::unique_ptr<Model> model_;
 };
 
 struct DetectedCharacter {
@@ -56,8 +93,9 @@ struct Detection {
     std::vector<DetectedCharacter> characters; // left to right, then top to bottom, by box centre
 };
 
-// The contour-based detector (Suzuki & Abe 1985 on the closed ink). Throws Error(no_character) when the page
-// holds none.
-Detection detect(const RgbImage& page, const DetectionOptions& options = {});
+// With a finder its network groups the ink (when it finds anything), without one the contour-based detector
+// (Suzuki & Abe 1985 on the closed ink) does. Throws Error(no_character) when the page holds none.
+Detection detect(const RgbImage& page, const DetectionOptions& options = {},
+                 const CharacterFinder* finder = nullptr);
 
 } // namespace pantin

@@ -11,6 +11,7 @@
 // Errors: a wrong shape is Error(weights) with one line that names it, because shapes come from weight files.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -19,17 +20,53 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace pantin::network {
 
 // --- tensors ---------------------------------------------------------------------------------------------
 
+// Memory of a tensor. Blocks that tensors give back are kept and used again: the layers of a network need
+// the same few sizes over and over, and fresh memory costs more than many a layer. Each block has spare floats
+// behind its end, so that the last vector may be read whole.
+class Buffer {
+public:
+    Buffer() = default;
+    explicit Buffer(std::size_t size); // content undefined
+    Buffer(const Buffer& other);
+    Buffer(Buffer&& other) noexcept : block_(std::exchange(other.block_, {})), size_(std::exchange(other.size_, 0)) {}
+    Buffer& operator=(Buffer other) noexcept {
+        std::swap(block_, other.block_);
+        std::swap(size_, other.size_);
+        return *this;
+    }
+    ~Buffer();
+
+    float* begin() { return block_.data; }
+    float* end() { return block_.data + size_; }
+    const float* begin() const { return block_.data; }
+    const float* end() const { return block_.data + size_; }
+    std::size_t size() const { return size_; }
+    bool operator==(const Buffer& other) const { return std::equal(begin(), end(), other.begin(), other.end()); }
+
+    struct Block {
+        float* data = nullptr;
+        std::size_t capacity = 0; // floats
+    };
+
+private:
+    Block block_;
+    std::size_t size_ = 0;
+};
+
 // fp32, row-major [batch][channel][row][column], as PyTorch's contiguous NCHW.
 class Tensor {
 public:
     Tensor() = default;
     Tensor(int batch, int channels, int height, int width, float value = 0);
+    // For layers that write every element.
+    static Tensor uninitialised(int batch, int channels, int height, int width);
 
     int batch() const { return batch_; }
     int channels() const { return channels_; }
@@ -40,10 +77,10 @@ public:
     bool same_shape(const Tensor& other) const;
 
     float* plane(int n, int c) {
-        return data_.data() + (static_cast<std::size_t>(n) * channels_ + c) * plane_size();
+        return data_.begin() + (static_cast<std::size_t>(n) * channels_ + c) * plane_size();
     }
     const float* plane(int n, int c) const {
-        return data_.data() + (static_cast<std::size_t>(n) * channels_ + c) * plane_size();
+        return data_.begin() + (static_cast<std::size_t>(n) * channels_ + c) * plane_size();
     }
     float& operator()(int n, int c, int y, int x) {
         return plane(n, c)[static_cast<std::size_t>(y) * width_ + x];
@@ -51,8 +88,8 @@ public:
     float operator()(int n, int c, int y, int x) const {
         return plane(n, c)[static_cast<std::size_t>(y) * width_ + x];
     }
-    float* data() { return data_.data(); }
-    const float* data() const { return data_.data(); }
+    float* data() { return data_.begin(); }
+    const float* data() const { return data_.begin(); }
     auto begin() { return data_.begin(); }
     auto end() { return data_.end(); }
     auto begin() const { return data_.begin(); }
@@ -61,7 +98,7 @@ public:
 
 private:
     int batch_ = 0, channels_ = 0, height_ = 0, width_ = 0;
-    std::vector<float> data_;
+    Buffer data_;
 };
 
 // --- where it runs ---------------------------------------------------------------------------------------
@@ -211,9 +248,8 @@ public:
 
 private:
     int out_, in_;
-    std::size_t row_;               // floats per row of transposed_, a whole number of vectors
-    std::vector<float> transposed_; // [in][row_]
-    std::vector<float> bias_;
+    std::vector<float> tiles_; // of the transposed weights, padded to whole vectors (linear.cpp)
+    std::vector<float> bias_;  // padded likewise
 };
 
 // --- layers without weights ------------------------------------------------------------------------------

@@ -83,6 +83,11 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
     command.add_flag("--quiet", options.quiet, "print errors only");
 }
 
+void add_detector_option(CLI::App& command, CommonOptions& options) {
+    command.add_option("--detector", options.detector, "contour or mask-rcnn")
+        ->check(CLI::IsMember({"contour", "mask-rcnn"}));
+}
+
 void add_render_options(CLI::App& command, RenderFlags& flags) {
     command.add_option("--clip", flags.clip, "a clip of the reference, or all")->capture_default_str();
     command.add_option("--fps", flags.fps, "frames per second, 1 to 100")->capture_default_str();
@@ -101,6 +106,9 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
     Settings settings;
     settings.options = make_preset(options.preset);
     if (!options.config.empty()) apply_config(settings.options, options.config);
+    if (!options.detector.empty())
+        settings.options.detection.detector =
+            options.detector == "contour" ? Detector::contour : Detector::mask_rcnn;
     settings.weights = options.weights;
     settings.references = options.references;
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());

@@ -1,4 +1,4 @@
-// Step 1 of the pipeline (thesis 4.2): the contour-based detector.
+// Step 1 of the pipeline (thesis 4.2): ink, its grouping to characters by contours or by Mask R-CNN, silhouettes.
 // Based on: S. Suzuki, K. Abe: Topological structural analysis of digitized binary images by border
 // following. CVGIP 30, 1985. The page is thresholded against its local mean, pieces of ink are grouped to
 // characters (grouping.cpp), and each character's open outline is closed (rooms.cpp, silhouette.cpp).
@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "detection/grouping.hpp"
+#include "detection/network_grouping.hpp"
 #include "detection/silhouette.hpp"
 #include "pantin/image.hpp"
 
@@ -121,16 +122,31 @@ std::vector<int> largest_groups(const Grouping& grouping, int count) {
     return order;
 }
 
+Grouping group(const RgbImage& page, const Mask& ink, int factor, const DetectionOptions& options,
+               const CharacterFinder* finder) {
+    if (finder) {
+        std::vector<CharacterFinder::Found> found =
+            finder->find(is_dark_page(greyscale(page)) ? inverted(page) : page, options.threads);
+        std::erase_if(found, [&](const auto& f) { return f.score < options.network_score; });
+        if (!found.empty())
+            return group_by_claims(ink,
+                                   {CharacterFinder::claims(found, ink.width(), ink.height(), factor),
+                                    static_cast<int>(found.size())},
+                                   options);
+    }
+    return group_ink(ink, options);
+}
+
 } // namespace
 
-Detection detect(const RgbImage& page, const DetectionOptions& options) {
+Detection detect(const RgbImage& page, const DetectionOptions& options, const CharacterFinder* finder) {
     Detection result;
     result.width = page.width();
     result.height = page.height();
     result.ink = find_ink(page, options);
     const int factor =
         (std::max(page.width(), page.height()) + options.grouping_size - 1) / options.grouping_size;
-    const Grouping grouping = group_ink(reduce(result.ink, factor), options);
+    const Grouping grouping = group(page, reduce(result.ink, factor), factor, options, finder);
     for (int index : largest_groups(grouping, options.max_characters)) {
         DetectedCharacter character;
         character.box = page_box(grouping.boxes[index], factor, page);

@@ -10,13 +10,15 @@ namespace {
 // Vectors of one task: enough to reuse the weights, few enough that the input stays in the first cache
 // levels.
 constexpr int vectors_per_task = 16;
+constexpr std::ptrdiff_t cached_floats = 256 * 1024; // half of a second-level cache
+constexpr int tasks_per_thread = 4; // so that no thread waits long for the last task
 
 // The padded input as phase planes: channel c, phase (py, px) at ((c·stride + py)·stride + px)·size, of which
 // row r, column q is the padded image's pixel (r·stride + py, q·stride + px).
 struct PhasePlanes {
     int height = 0, width = 0; // of one phase plane
     std::size_t channel = 0;   // floats from one input channel to the next
-    float* data = nullptr;     // in the runtime's scratch memory
+    const float* data = nullptr; // in the runtime's scratch memory, or the image itself
 };
 
 // One row of a phase plane: zeros, every stride-th pixel of the image's row, zeros.
@@ -45,6 +47,10 @@ void fill_phase(const float* image, int height, int width, const Pass& pass, int
 
 PhasePlanes split_phases(const Tensor& input, int n, const Pass& pass, const Runtime& runtime) {
     PhasePlanes planes;
+    if (pass.taps.size() == 1 && pass.taps[0].dy == 0 && pass.taps[0].dx == 0 && pass.stride == 1 &&
+        pass.top == 0 && pass.left == 0 &&
+        pass.out_height == input.height() && pass.out_width == input.width())
+        return {input.height(), input.width(), input.plane_size(), input.plane(n, 0)}; // nothing to do
     int reach_y = 0, reach_x = 0;
     for (const Tap& tap : pass.taps) {
         reach_y = std::max(reach_y, tap.dy / pass.stride);
@@ -55,10 +61,11 @@ PhasePlanes split_phases(const Tensor& input, int n, const Pass& pass, const Run
     const std::size_t size = static_cast<std::size_t>(planes.height) * planes.width;
     planes.channel = size * pass.stride * pass.stride;
     const std::size_t total = planes.channel * input.channels();
-    planes.data = runtime.scratch(total + max_vector_width);
-    std::fill(planes.data + total, planes.data + total + max_vector_width, 0.0f);
+    float* const data = runtime.scratch(total + max_vector_width);
+    planes.data = data;
+    std::fill(data + total, data + total + max_vector_width, 0.0f);
     runtime.parallel_for(input.channels(), [&](int c) {
-        float* out = planes.data + planes.channel * c;
+        float* out = data + planes.channel * c;
         for (int py = 0; py < pass.stride; ++py)
             for (int px = 0; px < pass.stride; ++px, out += size)
                 fill_phase(input.plane(n, c), input.height(), input.width(), pass, py, px, planes, out);
@@ -77,7 +84,7 @@ Lanes place_vectors(const Pass& pass, int plane_width, int width) {
     const long per_row = (pass.out_width + width - 1) / width;
     const long line = static_cast<long>(pass.out_height - 1) * plane_width + pass.out_width;
     const long on_line = (line + width - 1) / width;
-    lanes.by_row = per_row * pass.out_height <= on_line;
+    lanes.by_row = plane_width != pass.out_width && per_row * pass.out_height <= on_line;
     if (lanes.by_row) {
         for (int y = 0; y < pass.out_height; ++y)
             for (int k = 0; k < per_row; ++k)
@@ -108,6 +115,46 @@ void scatter(const float* values, std::ptrdiff_t base, int width, bool by_row, i
     }
 }
 
+// Vectors of one task: fewer where the input has so many channels that it would leave the cache.
+int chunk_size(int channels, int width) {
+    return std::clamp(static_cast<int>(cached_floats / (std::ptrdiff_t{channels} * width)), 4, vectors_per_task);
+}
+
+// The input as the kernel reads it for one chunk of vectors.
+struct Window {
+    const float* data;
+    std::size_t plane; // floats from one channel to the next
+    const std::ptrdiff_t *taps, *bases;
+};
+
+// A chunk reads a short stretch of every channel. Where the channels lie pages apart, the stretches are first
+// copied to one place: all filters read them again and again, and neither the processor's address cache nor
+// its prefetcher would follow from channel to channel.
+class Gathered {
+public:
+    Window window(const PhasePlanes& planes, const std::vector<std::ptrdiff_t>& taps, const std::ptrdiff_t* bases,
+                  int count, int width, int channels) {
+        const Window direct = {planes.data, planes.channel, taps.data(), bases};
+        if (taps.empty()) return direct; // a phase of a transposed convolution that no tap reaches
+        const auto [nearest, farthest] = std::minmax_element(taps.begin(), taps.end());
+        const std::ptrdiff_t begin = bases[0] + *nearest, length = bases[count - 1] + *farthest + width - begin;
+        if (planes.channel < apart || length * channels > cached_floats) return direct;
+        // No stretch reaches beyond the scratch memory's spare floats behind the last plane.
+        values_.resize(static_cast<std::size_t>(length * channels));
+        for (int c = 0; c < channels; ++c)
+            std::copy_n(planes.data + planes.channel * c + begin, length, values_.data() + length * c);
+        for (const std::ptrdiff_t tap : taps) taps_.push_back(tap - *nearest);
+        for (int v = 0; v < count; ++v) bases_.push_back(bases[v] - bases[0]);
+        return {values_.data(), static_cast<std::size_t>(length), taps_.data(), bases_.data()};
+    }
+
+private:
+    static constexpr std::size_t apart = 512; // floats
+
+    std::vector<float> values_;
+    std::vector<std::ptrdiff_t> taps_, bases_;
+};
+
 } // namespace
 
 PackedFilters pack(int out, int in_per_group, int groups, int taps,
@@ -115,6 +162,7 @@ PackedFilters pack(int out, int in_per_group, int groups, int taps,
     PackedFilters packed;
     packed.in_per_group = in_per_group;
     packed.taps = taps;
+    packed.weights.reserve(static_cast<std::size_t>(out) * in_per_group * taps);
     const int per_group = out / groups;
     const int blocks = (per_group + max_rows - 1) / max_rows; // of nearly equal height
     for (int group = 0; group < groups; ++group) {
@@ -149,23 +197,38 @@ void run_pass(const Tensor& input, int n, const PackedFilters& filters, const st
     }
 
     const int vectors = static_cast<int>(lanes.base.size());
-    const int chunks = (vectors + vectors_per_task - 1) / vectors_per_task;
+    const int per_task = chunk_size(input.channels(), kernel.width);
+    const int chunks = (vectors + per_task - 1) / per_task;
     const int blocks = static_cast<int>(filters.blocks.size());
-    runtime.parallel_for(chunks * blocks, [&](int task_index) {
-        const int first = task_index / blocks * vectors_per_task;
-        const int count = std::min(vectors_per_task, vectors - first);
-        const FilterBlock& block = filters.blocks[task_index % blocks];
+    // Small images have few chunks: then the filters are shared out as well.
+    const int slices = std::clamp(tasks_per_thread * runtime.threads() / chunks, 1, blocks);
+    // Where the lanes follow one another as the outputs do, whole chunks are written in place.
+    const bool in_order = !lanes.by_row && pass.step == 1 && planes.width == output.width();
+    const auto run_block = [&](const FilterBlock& block, const Window& window, int first, int count) {
         float results[max_rows * vectors_per_task * max_vector_width];
-        const std::size_t stride = static_cast<std::size_t>(vectors_per_task) * kernel.width;
-        kernel.run({planes.data + planes.channel * block.group * filters.in_per_group, planes.channel,
-                    filters.in_per_group, taps.data(), filters.taps, filters.weights.data() + block.begin,
-                    bias.data() + block.first, block.rows, lanes.base.data() + first, count, results, stride,
-                    pass.relu});
+        const std::ptrdiff_t begin = lanes.base[first], end = lanes.base[first + count - 1] + kernel.width;
+        const bool in_place = in_order && end <= static_cast<std::ptrdiff_t>(output.plane_size());
+        const std::size_t stride = in_place ? output.plane_size()
+                                            : static_cast<std::size_t>(vectors_per_task) * kernel.width;
+        kernel.run({window.data + window.plane * block.group * filters.in_per_group, window.plane,
+                    filters.in_per_group, window.taps, filters.taps, filters.weights.data() + block.begin,
+                    bias.data() + block.first, block.rows, window.bases, count,
+                    in_place ? output.plane(n, block.first) + begin : results, stride, pass.relu});
+        if (in_place) return;
         for (int r = 0; r < block.rows; ++r)
             for (int v = 0; v < count; ++v)
                 scatter(results + r * stride + static_cast<std::size_t>(v) * kernel.width,
                         lanes.base[first + v], kernel.width, lanes.by_row, planes.width, pass,
                         output.plane(n, block.first + r), output.width());
+    };
+    runtime.parallel_for(chunks * slices, [&](int task) {
+        const int first = task / slices * per_task, slice = task % slices;
+        const int count = std::min(per_task, vectors - first);
+        Gathered gathered;
+        const Window window = gathered.window(planes, taps, lanes.base.data() + first, count, kernel.width,
+                                              input.channels());
+        for (int b = slice * blocks / slices; b < (slice + 1) * blocks / slices; ++b)
+            run_block(filters.blocks[b], window, first, count);
     });
 }
 

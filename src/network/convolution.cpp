@@ -89,7 +89,7 @@ Tensor Convolution::forward(const Tensor& input, const Runtime& runtime) const {
     for (int ky = 0; ky < filters_.height; ++ky)
         for (int kx = 0; kx < filters_.width; ++kx)
             pass.taps.push_back({ky * options_.dilation, kx * options_.dilation});
-    Tensor output(input.batch(), filters_.out, pass.out_height, pass.out_width);
+    Tensor output = Tensor::uninitialised(input.batch(), filters_.out, pass.out_height, pass.out_width);
     for (int n = 0; n < input.batch(); ++n)
         run_pass(input, n, *packed_, filters_.bias, pass, runtime, output);
     return output;

@@ -23,7 +23,7 @@ Tensor pool(const Tensor& input, int kernel, int stride, int padding, bool ceil_
     };
     if (input.height() + 2 * padding < kernel || input.width() + 2 * padding < kernel)
         fail("a pooling window larger than its image");
-    Tensor output(input.batch(), input.channels(), extent(input.height()), extent(input.width()));
+    Tensor output = Tensor::uninitialised(input.batch(), input.channels(), extent(input.height()), extent(input.width()));
     for (int n = 0; n < input.batch(); ++n)
         for (int c = 0; c < input.channels(); ++c)
             for (int y = 0; y < output.height(); ++y)
@@ -62,7 +62,7 @@ Tensor average_pool(const Tensor& input, int kernel, int stride, int padding) {
 
 Tensor global_average_pool(const Tensor& input) {
     if (input.plane_size() == 0) fail("pooling over an empty image");
-    Tensor output(input.batch(), input.channels(), 1, 1);
+    Tensor output = Tensor::uninitialised(input.batch(), input.channels(), 1, 1);
     for (int n = 0; n < input.batch(); ++n)
         for (int c = 0; c < input.channels(); ++c) {
             double sum = 0;
@@ -74,7 +74,7 @@ Tensor global_average_pool(const Tensor& input) {
 
 Tensor global_max_pool(const Tensor& input) {
     if (input.plane_size() == 0) fail("pooling over an empty image");
-    Tensor output(input.batch(), input.channels(), 1, 1);
+    Tensor output = Tensor::uninitialised(input.batch(), input.channels(), 1, 1);
     for (int n = 0; n < input.batch(); ++n)
         for (int c = 0; c < input.channels(); ++c)
             output(n, c, 0, 0) = *std::max_element(input.plane(n, c), input.plane(n, c) + input.plane_size());
@@ -103,7 +103,7 @@ void add(Tensor& x, const Tensor& y) {
 Tensor concatenate(const Tensor& a, const Tensor& b) {
     if (a.batch() != b.batch() || a.height() != b.height() || a.width() != b.width())
         fail("tensors of different sizes are joined");
-    Tensor output(a.batch(), a.channels() + b.channels(), a.height(), a.width());
+    Tensor output = Tensor::uninitialised(a.batch(), a.channels() + b.channels(), a.height(), a.width());
     for (int n = 0; n < a.batch(); ++n) {
         std::copy_n(a.plane(n, 0), a.plane_size() * a.channels(), output.plane(n, 0));
         std::copy_n(b.plane(n, 0), b.plane_size() * b.channels(), output.plane(n, a.channels()));
@@ -115,7 +115,7 @@ Tensor concatenate(const Tensor& a, const Tensor& b) {
 
 Tensor resize_nearest(const Tensor& input, int height, int width) {
     if (input.plane_size() == 0 || height < 1 || width < 1) fail("an empty image is resized");
-    Tensor output(input.batch(), input.channels(), height, width);
+    Tensor output = Tensor::uninitialised(input.batch(), input.channels(), height, width);
     for (int n = 0; n < input.batch(); ++n)
         for (int c = 0; c < input.channels(); ++c)
             for (int y = 0; y < height; ++y)
@@ -157,7 +157,7 @@ void stretch_row(const float* in, const std::vector<Between>& columns, float* ou
 Tensor resize_bilinear(const Tensor& input, int height, int width, const Runtime& runtime) {
     if (input.plane_size() == 0 || height < 1 || width < 1) fail("an empty image is resized");
     const std::vector<Between> rows = places(input.height(), height), columns = places(input.width(), width);
-    Tensor output(input.batch(), input.channels(), height, width);
+    Tensor output = Tensor::uninitialised(input.batch(), input.channels(), height, width);
     runtime.parallel_for(input.batch() * input.channels(), [&](int plane) {
         const float* in = input.data() + input.plane_size() * plane;
         float* out = output.data() + output.plane_size() * plane;
@@ -180,7 +180,7 @@ Tensor resize_bilinear(const Tensor& input, int height, int width, const Runtime
 }
 
 Tensor resize_corners(const Tensor& input, int height, int width) {
-    Tensor output(input.batch(), input.channels(), height, width);
+    Tensor output = Tensor::uninitialised(input.batch(), input.channels(), height, width);
     // The place x·(from − 1)/(to − 1) as its whole part and its fraction, the latter rounded once.
     struct Place {
         int low, high;
@@ -215,7 +215,7 @@ Tensor sigmoid(const Tensor& logits) {
 }
 
 Tensor softmax(const Tensor& logits, const Runtime& runtime) {
-    Tensor output(logits.batch(), logits.channels(), logits.height(), logits.width());
+    Tensor output = Tensor::uninitialised(logits.batch(), logits.channels(), logits.height(), logits.width());
     const std::size_t size = logits.plane_size();
     const int channels = logits.channels();
     runtime.parallel_for(logits.batch() * logits.height(), [&](int task) {

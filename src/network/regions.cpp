@@ -83,9 +83,9 @@ std::vector<int> non_maximum_suppression(const std::vector<Region>& boxes, const
     return kept;
 }
 
-Tensor roi_align(const Tensor& features, const std::vector<Region>& regions, float scale, int size,
-                 int sampling, const Runtime& runtime) {
-    Tensor output(static_cast<int>(regions.size()), features.channels(), size, size);
+void roi_align(const Tensor& features, const std::vector<Region>& regions, const std::vector<int>& rows,
+               float scale, int sampling, const Runtime& runtime, Tensor& output) {
+    const int size = output.height();
     const std::size_t bins = static_cast<std::size_t>(size) * size;
     const std::size_t per_bin = static_cast<std::size_t>(sampling) * sampling;
     runtime.parallel_for(static_cast<int>(regions.size()), [&](int r) {
@@ -94,7 +94,7 @@ Tensor roi_align(const Tensor& features, const std::vector<Region>& regions, flo
                        features.height());
         for (int c = 0; c < features.channels(); ++c) {
             const float* plane = features.plane(0, c);
-            float* bin = output.plane(r, c);
+            float* bin = output.plane(rows[static_cast<std::size_t>(r)], c);
             for (std::size_t b = 0; b < bins; ++b) {
                 float sum = 0;
                 for (std::size_t s = b * per_bin; s < (b + 1) * per_bin; ++s)
@@ -106,7 +106,6 @@ Tensor roi_align(const Tensor& features, const std::vector<Region>& regions, flo
             }
         }
     });
-    return output;
 }
 
 } // namespace pantin::network

@@ -1,12 +1,86 @@
+#include <algorithm>
+#include <cstdlib>
 #include <limits>
+#include <map>
+#include <mutex>
+#include <new>
 
+#include "network/kernel.hpp"
 #include "pantin/error.hpp"
 #include "pantin/network.hpp"
 
 namespace pantin::network {
 
-Tensor::Tensor(int batch, int channels, int height, int width, float value)
-    : batch_(batch), channels_(channels), height_(height), width_(width) {
+// --- memory ----------------------------------------------------------------------------------------------
+
+namespace {
+
+using Block = Buffer::Block;
+
+constexpr std::size_t most_kept = std::size_t{64} << 20; // bytes
+constexpr std::size_t alignment = 64;                     // a cache line, and the widest vector
+
+// Blocks that no tensor holds at the moment.
+class Store {
+public:
+    ~Store() {
+        for (const auto& [capacity, block] : blocks_) std::free(block.data);
+    }
+    // The smallest kept block that is large enough but not half empty; else a new one.
+    Block take(std::size_t capacity) {
+        {
+            const std::lock_guard lock(mutex_);
+            const auto found = blocks_.lower_bound(capacity);
+            if (found != blocks_.end() && found->first <= 2 * capacity) {
+                const Block block = found->second;
+                kept_ -= bytes_of(block);
+                blocks_.erase(found);
+                return block;
+            }
+        }
+        const std::size_t bytes = (capacity * sizeof(float) + alignment - 1) / alignment * alignment;
+        auto* data = static_cast<float*>(std::aligned_alloc(alignment, bytes));
+        if (!data) throw std::bad_alloc();
+        return {data, capacity};
+    }
+    void give_back(const Block& block) {
+        const std::lock_guard lock(mutex_);
+        if (kept_ + bytes_of(block) > most_kept) return std::free(block.data);
+        blocks_.emplace(block.capacity, block);
+        kept_ += bytes_of(block);
+    }
+
+private:
+    static std::size_t bytes_of(const Block& block) { return block.capacity * sizeof(float); }
+
+    std::mutex mutex_;
+    std::multimap<std::size_t, Block> blocks_; // by capacity
+    std::size_t kept_ = 0;                     // bytes
+};
+
+// Never destroyed: tensors in static storage may be given back after it would be.
+Store& store() {
+    static Store& instance = *new Store;
+    return instance;
+}
+
+} // namespace
+
+Buffer::Buffer(std::size_t size) : size_(size) {
+    if (size == 0) return;
+    block_ = store().take(size + max_vector_width);
+    std::fill_n(block_.data + size, max_vector_width, 0.0f);
+}
+
+Buffer::Buffer(const Buffer& other) : Buffer(other.size_) { std::copy(other.begin(), other.end(), begin()); }
+
+Buffer::~Buffer() {
+    if (block_.data) store().give_back(block_);
+}
+
+// --- tensors ---------------------------------------------------------------------------------------------
+
+Tensor Tensor::uninitialised(int batch, int channels, int height, int width) {
     if (batch < 0 || channels < 0 || height < 0 || width < 0)
         throw Error(ErrorKind::weights, "a network layer's result would have a negative extent");
     std::size_t count = 1;
@@ -16,7 +90,18 @@ Tensor::Tensor(int batch, int channels, int height, int width, float value)
             throw Error(ErrorKind::weights, "a network layer's result would be too large");
         count *= static_cast<std::size_t>(extent);
     }
-    data_.assign(count, value);
+    Tensor tensor;
+    tensor.batch_ = batch;
+    tensor.channels_ = channels;
+    tensor.height_ = height;
+    tensor.width_ = width;
+    tensor.data_ = Buffer(count);
+    return tensor;
+}
+
+Tensor::Tensor(int batch, int channels, int height, int width, float value)
+    : Tensor(uninitialised(batch, channels, height, width)) {
+    std::fill(begin(), end(), value);
 }
 
 bool Tensor::same_shape(const Tensor& other) const {

@@ -19,6 +19,7 @@ using Json = nlohmann::ordered_json;
 // Calls visit(name, field, low, high) for numbers and visit(name, field, names) for choices, in a fixed
 // order.
 template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visit) {
+    visit("detection.detector", o.detector, {"contour", "mask-rcnn"});
     visit("detection.working_size", o.working_size, 64, 2048);
     visit("detection.max_characters", o.max_characters, 1, 64);
     visit("detection.ink_contrast", o.ink_contrast, 0, 1);
@@ -40,6 +41,9 @@ template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visi
     visit("detection.room_gain", o.room_gain, 0, 1);
     visit("detection.min_share", o.min_share, 0, 1);
     visit("detection.min_side", o.min_side, 1, 16384);
+    visit("detection.network_score", o.network_score, 0, 1);
+    visit("detection.shared_claim", o.shared_claim, 0, 1);
+    visit("detection.unclaimed_reach", o.unclaimed_reach, 0, 1);
 }
 
 template <class Visitor> void visit_segmentation(SegmentationOptions& o, Visitor& visit) {

@@ -64,16 +64,21 @@ Page read_page(const fs::path& file) { return page_from_json(read_text(file), fi
 
 DetectedPage run_detect(const fs::path& image, const fs::path& out, Workshop& workshop) {
     workshop.progress("detect");
+    const Detector detector = workshop.options().detection.detector;
+    const CharacterFinder* finder = detector == Detector::mask_rcnn ? &workshop.finder() : nullptr;
     Detection detection = [&] {
         const RgbImage page = load_image(image);
         try {
-            return detect(page, workshop.options().detection);
+            DetectionOptions options = workshop.options().detection;
+            options.threads = workshop.settings().threads;
+            return detect(page, options, finder);
         } catch (const Error& error) {
             throw Error(error.kind(), image.string() + ": " + error.what());
         }
     }();
     DetectedPage result;
     result.page.source = image.filename().string();
+    result.page.detector = detector_names[static_cast<std::size_t>(detector)];
     result.page.width = detection.width;
     result.page.height = detection.height;
 

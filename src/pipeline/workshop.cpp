@@ -5,22 +5,43 @@
 
 namespace pantin {
 
-const Segmenter& Workshop::segmenter() {
-    if (segmenter_) return *segmenter_;
+std::span<const unsigned char> Workshop::weights(const std::string& name, std::string& source,
+                                                 std::vector<unsigned char>& bytes) const {
     if (settings_.weights.empty()) {
-        const std::span<const unsigned char> bytes = find_resource("weights/segmenter.safetensors");
-        if (bytes.empty())
+        source = "weights/" + name + " (compiled in)";
+        const std::span<const unsigned char> compiled = find_resource("weights/" + name);
+        if (compiled.empty())
             throw Error(ErrorKind::weights,
-                        "no weights are compiled into this program: give a folder with --weights");
-        return segmenter_.emplace(bytes, "weights/segmenter.safetensors (compiled in)");
+                        "weights/" + name + " is not compiled into this program: give a folder with --weights");
+        return compiled;
     }
-    const std::filesystem::path file = settings_.weights / "segmenter.safetensors";
+    const std::filesystem::path file = settings_.weights / name;
+    source = file.string();
     try {
-        weights_ = read_file(file);
+        return bytes = read_file(file);
     } catch (const Error& error) {
         throw Error(ErrorKind::weights, error.what());
     }
-    return segmenter_.emplace(weights_, file.string());
+}
+
+const CharacterFinder& Workshop::finder() {
+    if (!finder_) {
+        std::string source;
+        std::vector<unsigned char> file; // not needed any more once the network is there
+        const std::span<const unsigned char> bytes = weights("detector.safetensors", source, file);
+        finder_.emplace(bytes, source);
+    }
+    return *finder_;
+}
+
+const Segmenter& Workshop::segmenter() {
+    if (!segmenter_) {
+        std::string source;
+        std::vector<unsigned char> file; // not needed any more once the network is there
+        const std::span<const unsigned char> bytes = weights("segmenter.safetensors", source, file);
+        segmenter_.emplace(bytes, source);
+    }
+    return *segmenter_;
 }
 
 const std::vector<ReferenceSkeleton>& Workshop::references() {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "pantin/pipeline.hpp"
@@ -16,6 +18,7 @@ public:
     const Settings& settings() const { return settings_; }
     const Options& options() const { return settings_.options; }
     // Error(weights) when the weights are missing or invalid.
+    const CharacterFinder& finder();
     const Segmenter& segmenter();
     // Error(input) when a reference file is invalid.
     const std::vector<ReferenceSkeleton>& references();
@@ -26,8 +29,13 @@ public:
     }
 
 private:
+    // The bytes of weights/<name>, compiled in, or read into `file` from the folder of the settings. `source`
+    // names them.
+    std::span<const unsigned char> weights(const std::string& name, std::string& source,
+                                           std::vector<unsigned char>& file) const;
+
     const Settings& settings_;
-    std::vector<unsigned char> weights_;
+    std::optional<CharacterFinder> finder_;
     std::optional<Segmenter> segmenter_;
     std::optional<std::vector<ReferenceSkeleton>> references_;
 };

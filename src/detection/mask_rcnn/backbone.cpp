@@ -13,11 +13,12 @@ std::vector<Tensor> ResNet::forward(const Tensor& image, const Runtime& runtime)
     return stages;
 }
 
-std::vector<Tensor> FeaturePyramid::forward(const std::vector<Tensor>& stages, const Runtime& runtime) const {
+std::vector<Tensor> FeaturePyramid::forward(std::vector<Tensor> stages, const Runtime& runtime) const {
     std::vector<Tensor> levels(stages.size()); // [256, …] each
     Tensor merged;
     for (std::size_t i = stages.size(); i-- > 0;) {
         Tensor lateral = inner[i].forward(stages[i], runtime);
+        stages[i] = {}; // a large network's stages take much memory
         if (i + 1 < stages.size())
             network::add(lateral, network::resize_nearest(merged, lateral.height(), lateral.width()));
         merged = std::move(lateral);

@@ -41,17 +41,14 @@ Tensor pool_regions(const std::vector<Tensor>& pyramid, const std::vector<Region
         members[static_cast<std::size_t>(level_of(regions[r], levels, first_level, options))].push_back(
             static_cast<int>(r));
 
-    Tensor pooled(static_cast<int>(regions.size()), pyramid[0].channels(), size, size);
-    const std::size_t per_region = static_cast<std::size_t>(pooled.channels()) * pooled.plane_size();
+    Tensor pooled =
+        Tensor::uninitialised(static_cast<int>(regions.size()), pyramid[0].channels(), size, size);
     for (std::size_t level = 0; level < members.size(); ++level) {
         if (members[level].empty()) continue;
         std::vector<Region> boxes;
         for (const int r : members[level]) boxes.push_back(regions[static_cast<std::size_t>(r)]);
         const float scale = std::ldexp(1.0f, -stride_exponent(pyramid[level], image));
-        const Tensor part =
-            network::roi_align(pyramid[level], boxes, scale, size, options.sampling, runtime);
-        for (std::size_t i = 0; i < boxes.size(); ++i)
-            std::copy_n(part.plane(static_cast<int>(i), 0), per_region, pooled.plane(members[level][i], 0));
+        network::roi_align(pyramid[level], boxes, members[level], scale, options.sampling, runtime, pooled);
     }
     return pooled;
 }

@@ -34,7 +34,7 @@ struct ResNet {
 // Top-down pathway with lateral connections; one more level by taking every second pixel of the last.
 struct FeaturePyramid {
     std::vector<Convolution> inner, layer;
-    std::vector<Tensor> forward(const std::vector<Tensor>& stages, const Runtime& runtime) const;
+    std::vector<Tensor> forward(std::vector<Tensor> stages, const Runtime& runtime) const;
 };
 
 // --- region proposals ------------------------------------------------------------------------------------

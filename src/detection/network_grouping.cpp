@@ -1,0 +1,124 @@
+#include "detection/network_grouping.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "pantin/image.hpp"
+
+namespace pantin {
+
+namespace {
+
+// Per piece of ink: detection → number of its pixels that the detection claims.
+std::vector<std::map<int, int>> count_claims(const Components& pieces, const Grid<int>& owner) {
+    std::vector<std::map<int, int>> claims(pieces.list.size());
+    for (std::size_t i = 0; i < owner.size(); ++i)
+        if (pieces.ids.data()[i] && owner.data()[i])
+            ++claims[static_cast<std::size_t>(pieces.ids.data()[i]) - 1][owner.data()[i]];
+    return claims;
+}
+
+// The owner of a whole piece; 0 when nobody claims it, −1 when it is to be divided.
+int owner_of(const std::map<int, int>& claims, double shared_claim) {
+    int total = 0, best = 0, most = 0;
+    for (const auto& [owner, pixels] : claims) {
+        total += pixels;
+        if (pixels > most) best = owner, most = pixels;
+    }
+    return total - most >= shared_claim * total && total > 0 ? -1 : best;
+}
+
+// Boxes of the groups' pixels; empty boxes for those without.
+std::vector<Box> boxes_of(const Grid<int>& groups, int count) {
+    std::vector<Point2i> low(static_cast<std::size_t>(count), {groups.width(), groups.height()}),
+        high(static_cast<std::size_t>(count), {-1, -1});
+    for (int y = 0; y < groups.height(); ++y)
+        for (int x = 0; x < groups.width(); ++x) {
+            if (groups(x, y) == 0) continue;
+            const auto g = static_cast<std::size_t>(groups(x, y)) - 1;
+            low[g] = {std::min(low[g].x, x), std::min(low[g].y, y)};
+            high[g] = {std::max(high[g].x, x), std::max(high[g].y, y)};
+        }
+    std::vector<Box> boxes;
+    for (std::size_t g = 0; g < low.size(); ++g)
+        boxes.push_back(high[g].x < 0
+                            ? Box{}
+                            : Box{low[g].x, low[g].y, high[g].x - low[g].x + 1, high[g].y - low[g].y + 1});
+    return boxes;
+}
+
+Mask where_positive(const Grid<int>& values) {
+    Mask mask(values.width(), values.height());
+    std::transform(values.begin(), values.end(), mask.begin(), [](int v) -> std::uint8_t { return v > 0; });
+    return mask;
+}
+
+// Rule 1.
+Grid<int> give_claimed(const Components& pieces, const Claims& claims, double shared_claim) {
+    std::vector<int> owners;
+    for (const std::map<int, int>& counts : count_claims(pieces, claims.owner))
+        owners.push_back(owner_of(counts, shared_claim));
+    Grid<int> groups(pieces.ids.width(), pieces.ids.height(), 0);
+    const Grid<int> nearest = nearest_seed(where_positive(claims.owner));
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const int piece = pieces.ids.data()[i];
+        if (piece == 0) continue;
+        const int owner = owners[static_cast<std::size_t>(piece) - 1];
+        groups.data()[i] =
+            owner >= 0 ? owner : claims.owner.data()[static_cast<std::size_t>(nearest.data()[i])];
+    }
+    return groups;
+}
+
+// Rule 2.
+void give_unclaimed(Grid<int>& groups, const Components& pieces, const std::vector<Box>& boxes, double reach) {
+    const Grid<int> nearest = nearest_seed(where_positive(groups));
+    struct Way {
+        long squared = -1;
+        int group = 0;
+    };
+    std::vector<Way> ways(pieces.list.size()); // the shortest from the piece to a group
+    for (int y = 0; y < groups.height(); ++y)
+        for (int x = 0; x < groups.width(); ++x) {
+            const int seed = nearest(x, y);
+            if (pieces.ids(x, y) == 0 || groups(x, y) != 0 || seed < 0) continue;
+            Way& way = ways[static_cast<std::size_t>(pieces.ids(x, y)) - 1];
+            const long dx = x - seed % groups.width(), dy = y - seed / groups.width();
+            const long squared = dx * dx + dy * dy;
+            if (way.squared < 0 || squared < way.squared)
+                way = {squared, groups.data()[static_cast<std::size_t>(seed)]};
+        }
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const int piece = pieces.ids.data()[i];
+        if (piece == 0 || groups.data()[i] != 0) continue;
+        const Way& way = ways[static_cast<std::size_t>(piece) - 1];
+        if (way.squared < 0) continue;
+        const Box& box = boxes[static_cast<std::size_t>(way.group) - 1];
+        const double farthest = reach * std::hypot(box.width, box.height);
+        if (static_cast<double>(way.squared) <= farthest * farthest) groups.data()[i] = way.group;
+    }
+}
+
+} // namespace
+
+Grouping group_by_claims(const Mask& ink, const Claims& claims, const DetectionOptions& options) {
+    const Components pieces = connected_components(ink);
+    Grid<int> groups = give_claimed(pieces, claims, options.shared_claim);
+    give_unclaimed(groups, pieces, boxes_of(groups, claims.count), options.unclaimed_reach);
+
+    // Detections without ink of their own disappear; the others are numbered anew.
+    Grouping result;
+    std::vector<int> number(static_cast<std::size_t>(claims.count) + 1, 0);
+    const std::vector<Box> boxes = boxes_of(groups, claims.count);
+    for (std::size_t g = 0; g < boxes.size(); ++g) {
+        if (boxes[g].width == 0) continue;
+        result.boxes.push_back(boxes[g]);
+        number[g + 1] = static_cast<int>(result.boxes.size());
+    }
+    for (int& group : groups) group = number[static_cast<std::size_t>(group)];
+    result.groups = std::move(groups);
+    return result;
+}
+
+} // namespace pantin

@@ -1,0 +1,21 @@
+// Internal: which ink makes one character, as Mask R-CNN sees it.
+#pragma once
+
+#include "detection/grouping.hpp"
+
+namespace pantin {
+
+// What the network says of each pixel of the page, at the size of the ink that is grouped.
+struct Claims {
+    Grid<int> owner; // 0, or the number of the detection (1, 2, …) that claims the pixel most
+    int count = 0;
+};
+
+// The network says which ink belongs together, the ink says where the border runs:
+// 1. A connected piece of ink goes to the detection that claims most of its claimed pixels. A piece of which
+//    `shared_claim` or more go to others (characters that touch) is divided, each pixel to the nearest claim.
+// 2. A piece that nobody claims goes to the nearest claimed ink within `unclaimed_reach` of that character's
+//    diagonal (the mask is coarse, fingers and antennae stick out of it), else it is no character's.
+Grouping group_by_claims(const Mask& ink, const Claims& claims, const DetectionOptions& options);
+
+} // namespace pantin

@@ -1,0 +1,56 @@
+#!/usr/bin/python3
+"""A state dictionary of PyTorch -> weights that pantin reads.
+
+usage: convert_torch.py STATE_DICT.pth OUT.safetensors [--half] [--set KEY=VALUE ...]
+Takes torchvision's maskrcnn_resnet50_fpn (names of 0.14 and of the versions before) and SketchParse (its authors' Scale1 … Scale3).
+Checkpoints that hold the dictionary under "model" or "state_dict" are opened. --half stores F16. --set writes metadata that differs
+from torchvision's defaults, for example norm_epsilon=0 for torchvision's own COCO weights, min_size=320, anchor_sizes=16,32,64,128,256.
+"""
+import argparse
+import os
+import re
+import sys
+
+import numpy as np
+import torch
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "train"))
+from export import write_safetensors
+
+# Names before torchvision 0.13 -> names since.
+OLD_NAMES = [(r"^backbone\.fpn\.(inner|layer)_blocks\.(\d+)\.(weight|bias)$", r"backbone.fpn.\1_blocks.\2.0.\3"),
+             (r"^rpn\.head\.conv\.(weight|bias)$", r"rpn.head.conv.0.0.\1"),
+             (r"^roi_heads\.mask_head\.mask_fcn(\d+)\.(weight|bias)$",
+              lambda m: f"roi_heads.mask_head.{int(m[1]) - 1}.0.{m[2]}")]
+KINDS = {"roi_heads.box_predictor.cls_score.weight": "pantin.mask_rcnn", "Scale1.conv1.weight": "pantin.sketch_parse"}
+
+
+def renamed(name):
+    name = name.removeprefix("module.")
+    for pattern, replacement in OLD_NAMES:
+        name = re.sub(pattern, replacement, name)
+    return name
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("state_dict")
+    parser.add_argument("out")
+    parser.add_argument("--half", action="store_true")
+    parser.add_argument("--set", nargs="*", default=[], metavar="KEY=VALUE")
+    args = parser.parse_args()
+    state = torch.load(args.state_dict, map_location="cpu")
+    for key in ("model", "state_dict"):
+        state = state[key] if key in state and isinstance(state[key], dict) else state
+    tensors = {renamed(name): value.numpy().astype(np.float16 if args.half else np.float32) for name, value in state.items()
+               if not name.endswith("num_batches_tracked")}
+    kind = next((kind for name, kind in KINDS.items() if name in tensors), None)
+    if kind is None:
+        raise SystemExit(f"{args.state_dict}: neither a Mask R-CNN of torchvision nor SketchParse")
+    facts = {"model": kind, "version": "1", **dict(item.split("=", 1) for item in args.set)}
+    write_safetensors(args.out, tensors, facts)
+    print(f"{args.out}: {kind}, {len(tensors)} tensors, {sum(t.size for t in tensors.values()) / 1e6:.1f} million values")
+
+
+if __name__ == "__main__":
+    main()
