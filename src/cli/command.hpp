@@ -45,5 +45,6 @@ void print_result(const CommonOptions& options, const std::string& line);
 
 void add_animate(CLI::App& app, Run& run);
 void add_steps(CLI::App& app, Run& run);
+void add_evaluate(CLI::App& app, Run& run);
 
 } // namespace pantin::cli

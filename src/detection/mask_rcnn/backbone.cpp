@@ -4,12 +4,10 @@
 namespace pantin::mask_rcnn {
 
 std::vector<Tensor> ResNet::forward(const Tensor& image, const Runtime& runtime) const {
-    Tensor x = network::max_pool(stem.forward(image, runtime), 3, 2, 1); // [64, height/4, width/4]
-    std::vector<Tensor> stages;
-    for (const std::vector<network::ResidualBlock>& layer : layers) {
-        x = network::forward(layer, x, runtime);
-        stages.push_back(x); // [256, /4], [512, /8], [1024, /16], [2048, /32]
-    }
+    const Tensor x = network::max_pool(stem.forward(image, runtime), 3, 2, 1); // [64, height/4, width/4]
+    std::vector<Tensor> stages; // [256, /4], [512, /8], [1024, /16], [2048, /32]
+    for (const std::vector<network::ResidualBlock>& layer : layers)
+        stages.push_back(network::forward(layer, stages.empty() ? x : stages.back(), runtime));
     return stages;
 }
 

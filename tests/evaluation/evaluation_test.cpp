@@ -1,0 +1,120 @@
+// `pantin evaluate`: measures against values worked out by hand, a generated dataset, datasets with faults.
+#include <catch2/catch.hpp>
+
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "core/file.hpp"
+#include "doodle/doodle.hpp"
+#include "pantin/error.hpp"
+#include "pantin/evaluation.hpp"
+#include "pantin/image.hpp"
+#include "support/folders.hpp"
+#include "support/program.hpp"
+
+namespace pantin::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+FoundCharacter found(const char* page, double score, int character, double overlap) {
+    return {page, score, character, character, overlap, overlap};
+}
+
+// Two pages of the generator, as tools/doodle writes them.
+void write_dataset(const fs::path& folder) {
+    doodle::DoodleOptions options;
+    options.width = 400;
+    options.height = 300;
+    options.photo = options.paper = options.colour = 0;
+    for (const char* part : {"image", "label", "instance"}) fs::create_directories(folder / part);
+    std::ofstream index(folder / "index.ndjson");
+    for (const int number : {1, 2}) {
+        const std::string id = "page-" + std::to_string(number);
+        const doodle::Page page = doodle::draw_page({"humanoid", "quadruped"}, 40 + number, options);
+        save_png(folder / "image" / (id + ".png"), page.picture);
+        save_png(folder / "label" / (id + ".png"), page.labels);
+        save_png(folder / "instance" / (id + ".png"), page.instances);
+        nlohmann::json row = {{"id", id}, {"characters", nlohmann::json::array()}};
+        for (const doodle::Character& c : page.characters)
+            row["characters"].push_back({{"type", c.type}, {"species", c.species}, {"pose", c.pose}});
+        index << row.dump() << "\n";
+    }
+}
+
+std::string failure(const fs::path& folder) {
+    try {
+        const Dataset dataset(folder);
+        for (std::size_t i = 0; i < dataset.size(); ++i) dataset.page(i);
+    } catch (const Error& error) {
+        CHECK(error.kind() == ErrorKind::input);
+        return error.what();
+    }
+    return "";
+}
+
+} // namespace
+
+TEST_CASE("Average precision is the area under the monotone precision, worked out by hand") {
+    Evaluation evaluation;
+    evaluation.characters.resize(4);
+    // By score: hit, miss (too little), hit, a second answer for a character that is taken.
+    evaluation.found = {found("a", 0.9, 0, 0.8), found("a", 0.8, 1, 0.4), found("b", 0.7, 0, 0.9),
+                        found("b", 0.6, 0, 0.7)};
+    CHECK(average_precision(evaluation, 0.5, true) == Approx((1 + 2.0 / 3) / 4));
+    CHECK(average_precision(evaluation, 0.85, true) == Approx(1.0 / 3 / 4));
+    CHECK(average_precision(evaluation, 0.3, false) == Approx(3.0 / 4));
+    CHECK(std::isnan(average_precision(Evaluation{}, 0.5, true)));
+}
+
+TEST_CASE("Perfect answers get an average precision of one whatever their scores") {
+    Evaluation evaluation;
+    evaluation.characters.resize(3);
+    evaluation.found = {found("a", 0.1, 1, 1), found("a", 0.1, 0, 1), found("b", 0.9, 0, 1)};
+    CHECK(average_precision(evaluation, 0.5, true) == 1);
+}
+
+TEST_CASE("pantin evaluate judges every character of a generated dataset", "[cli][end-to-end]") {
+    const TemporaryFolder folder;
+    write_dataset(folder / "data");
+    const Outcome outcome =
+        run_pantin({"evaluate", (folder / "data").string(), "-o", (folder / "out").string()});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.out.starts_with("2 pages, 4 characters, "));
+    const nlohmann::json json = nlohmann::json::parse(read_text(folder / "out" / "evaluation.json"));
+    CHECK(json["pages"] == 2);
+    CHECK(json["results"].size() == 4);
+    const int detected = json["stages"]["detected"], missed = json["detection"]["missed"];
+    CHECK(detected + missed == 4);
+    CHECK(detected >= 3);
+    for (const nlohmann::json& result : json["results"])
+        CHECK(result["found"] == (result["mask_overlap"] >= 0.5));
+    const double ap50 = json["detection"]["mask_ap50"], ap75 = json["detection"]["mask_ap75"];
+    CHECK(ap50 >= ap75);
+    const double head = json["segmentation"]["all"]["head"];
+    CHECK((head > 0.3 && head <= 1));
+    const std::string html = read_text(folder / "out" / "evaluation.html");
+    CHECK(html.find("pages/page-1/character-1/drawing.png") != std::string::npos);
+    CHECK(fs::exists(folder / "out" / "pages" / "page-1" / "character-1" / "drawing.png"));
+}
+
+TEST_CASE("A dataset with a fault is refused with the fact") {
+    const TemporaryFolder folder;
+    const fs::path data = folder / "data", index = data / "index.ndjson";
+    CHECK(failure(data) == index.string() + ": no such file");
+    fs::create_directories(data);
+    write_file(index, std::string_view("\n"));
+    CHECK(failure(data) == index.string() + ": lists no drawing");
+    write_file(index, std::string_view("{\"id\": \"a\"}\n{\"name\": \"b\"}\n"));
+    CHECK(failure(data) == index.string() + ":2: misses \"id\"");
+    write_file(index, std::string_view("{\"id\": \"../a\"}\n"));
+    CHECK(failure(data) == index.string() + ":1: id: is no name of a file");
+    write_dataset(data);
+    fs::remove(data / "instance" / "page-2.png");
+    fs::copy_file("testdata/demo.png", data / "instance" / "page-2.png");
+    CHECK(failure(data) == (data / "instance" / "page-2.png").string() + ": has another size than the label map");
+}
+
+} // namespace pantin::test
