@@ -81,7 +81,7 @@ private:
 struct DetectedCharacter {
     Box box; // page pixels, margin of max(4, 2 % of the longer side) included, cut at the page's border
     double scale = 1; // working pixels per page pixel, ≤ 1
-    double score = 0; // [0, 1]: share of the silhouette's outline that is inked
+    double score = 0; // [0, 1]: share of the silhouette's outline that is inked; with a network its score
     RgbImage drawing; // the crop at the page's resolution
     Mask mask;        // the filled silhouette at working size
 };

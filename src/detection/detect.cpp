@@ -128,11 +128,9 @@ Grouping group(const RgbImage& page, const Mask& ink, int factor, const Detectio
         std::vector<CharacterFinder::Found> found =
             finder->find(is_dark_page(greyscale(page)) ? inverted(page) : page, options.threads);
         std::erase_if(found, [&](const auto& f) { return f.score < options.network_score; });
-        if (!found.empty())
-            return group_by_claims(ink,
-                                   {CharacterFinder::claims(found, ink.width(), ink.height(), factor),
-                                    static_cast<int>(found.size())},
-                                   options);
+        Claims claims{CharacterFinder::claims(found, ink.width(), ink.height(), factor), {}};
+        for (const CharacterFinder::Found& f : found) claims.scores.push_back(f.score);
+        if (!found.empty()) return group_by_claims(ink, claims, options);
     }
     return group_ink(ink, options);
 }
@@ -157,7 +155,8 @@ Detection detect(const RgbImage& page, const DetectionOptions& options, const Ch
         character.mask = silhouette_of(ink);
         if (std::none_of(character.mask.begin(), character.mask.end(), [](std::uint8_t v) { return v != 0; }))
             continue;
-        character.score = inked_share(character.mask, ink);
+        character.score =
+            grouping.scores.empty() ? inked_share(character.mask, ink) : grouping.scores[index];
         character.drawing = crop(page, character.box);
         result.characters.push_back(std::move(character));
     }

@@ -105,15 +105,17 @@ void give_unclaimed(Grid<int>& groups, const Components& pieces, const std::vect
 Grouping group_by_claims(const Mask& ink, const Claims& claims, const DetectionOptions& options) {
     const Components pieces = connected_components(ink);
     Grid<int> groups = give_claimed(pieces, claims, options.shared_claim);
-    give_unclaimed(groups, pieces, boxes_of(groups, claims.count), options.unclaimed_reach);
+    const int count = static_cast<int>(claims.scores.size());
+    give_unclaimed(groups, pieces, boxes_of(groups, count), options.unclaimed_reach);
 
     // Detections without ink of their own disappear; the others are numbered anew.
     Grouping result;
-    std::vector<int> number(static_cast<std::size_t>(claims.count) + 1, 0);
-    const std::vector<Box> boxes = boxes_of(groups, claims.count);
+    std::vector<int> number(claims.scores.size() + 1, 0);
+    const std::vector<Box> boxes = boxes_of(groups, count);
     for (std::size_t g = 0; g < boxes.size(); ++g) {
         if (boxes[g].width == 0) continue;
         result.boxes.push_back(boxes[g]);
+        result.scores.push_back(claims.scores[g]);
         number[g + 1] = static_cast<int>(result.boxes.size());
     }
     for (int& group : groups) group = number[static_cast<std::size_t>(group)];

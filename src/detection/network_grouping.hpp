@@ -8,7 +8,7 @@ namespace pantin {
 // What the network says of each pixel of the page, at the size of the ink that is grouped.
 struct Claims {
     Grid<int> owner; // 0, or the number of the detection (1, 2, …) that claims the pixel most
-    int count = 0;
+    std::vector<double> scores; // of the detections
 };
 
 // The network says which ink belongs together, the ink says where the border runs:

@@ -2,11 +2,13 @@
 """Trains the compact Mask R-CNN (backbones.py) on composed pages (pages.py), on the processor, within a given time.
 
 usage: train_detector.py SHARDS OUT --minutes M [--resume CHECKPOINT] [--rate 1e-3] [--batch 6] [--seed 1]
+       train_detector.py --export CHECKPOINT detector.safetensors      (F16, the moving average of the weights)
 AdamW; the rate climbs for 3 %, stays until half of the time and falls along a cosine to zero. Writes OUT/last.pt every few minutes.
 """
 import argparse
 import copy
 import os
+import sys
 import time
 
 import cv2
@@ -15,6 +17,7 @@ import torch
 
 import backbones
 import dataset
+import export
 import pages
 from train import SHARES, follow, rate_at
 
@@ -91,7 +94,15 @@ def train(args):
     save(f"{args.out}/last.pt", model, average, optimiser, step)
 
 
+def write_weights(checkpoint, path):
+    model, facts = new_model()
+    model.load_state_dict(torch.load(checkpoint, map_location="cpu")["average"])
+    export.write_safetensors(path, export.tensors_of(model, "F16"), {"model": "pantin.mask_rcnn", "version": "1", **facts})
+
+
 def main():
+    if sys.argv[1:2] == ["--export"]:
+        return write_weights(sys.argv[2], sys.argv[3])
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("shards")
     parser.add_argument("out")
