@@ -266,6 +266,7 @@ void relu(Tensor& x);                      // x > 0 ? x : 0
 void add_relu(Tensor& x, const Tensor& y); // relu(x + y)
 void add(Tensor& x, const Tensor& y);
 Tensor concatenate(const Tensor& a, const Tensor& b); // along channels
+Tensor mirrored(const Tensor& input); // left and right exchanged
 Tensor resize_nearest(const Tensor& input, int height, int width);
 // PyTorch's bilinear interpolation with align_corners = false, without antialiasing.
 Tensor resize_bilinear(const Tensor& input, int height, int width, const Runtime& runtime);

@@ -61,6 +61,8 @@ struct SegmentationOptions {
     // Thesis ch. 5: grey erosion of photographs, so that strokes are as thick and sharp as in the training
     // data: the darkest value of the 3×3 neighbourhood at the network's resolution.
     bool grey_erosion = false;
+    // Probabilities are the means of those of the drawing and of its mirror image. `thesis`: one look.
+    bool mirror = true;
     SilhouetteOptions silhouette;
 };
 

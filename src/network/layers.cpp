@@ -113,6 +113,14 @@ Tensor concatenate(const Tensor& a, const Tensor& b) {
 
 // --- resizing --------------------------------------------------------------------------------------------
 
+Tensor mirrored(const Tensor& input) {
+    Tensor output = Tensor::uninitialised(input.batch(), input.channels(), input.height(), input.width());
+    const auto width = static_cast<std::size_t>(input.width());
+    for (std::size_t begin = 0; begin < input.size(); begin += width)
+        std::reverse_copy(input.begin() + begin, input.begin() + begin + width, output.begin() + begin);
+    return output;
+}
+
 Tensor resize_nearest(const Tensor& input, int height, int width) {
     if (input.plane_size() == 0 || height < 1 || width < 1) fail("an empty image is resized");
     Tensor output = Tensor::uninitialised(input.batch(), input.channels(), height, width);

@@ -48,6 +48,7 @@ template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visi
 
 template <class Visitor> void visit_segmentation(SegmentationOptions& o, Visitor& visit) {
     visit("segmentation.grey_erosion", o.grey_erosion);
+    visit("segmentation.mirror", o.mirror);
     visit("segmentation.fill_probability", o.silhouette.fill_probability, 0, 1);
     visit("segmentation.keep_probability", o.silhouette.keep_probability, 0, 1);
     visit("segmentation.open_share", o.silhouette.open_share, 0, 1);
@@ -188,12 +189,12 @@ Options make_preset(std::string_view name) {
         throw Error(ErrorKind::usage,
                     "--preset: there is no preset '" + std::string(name) + "' (default, thesis)");
     options.detection.working_size = 321;             // ch. 5: the network's input
+    options.segmentation.mirror = false;              // 4.3: one look at the drawing
+    options.segmentation.silhouette.rim = 0;          // 4.2: the detector's mask
     options.skeletonization.residual = Residual::arc; // 3.4, ERRATA 1
     options.skeletonization.recover_parts_share = 0;
     options.skeletonization.cut_cycles = false;
     options.skeletonization.fill_holes_share = 0; // ERRATA 4: holes are kept
-    options.skeletonization.recover_parts_share = 0;
-    options.skeletonization.cut_cycles = false;
     options.identification.thesis_score = true;        // Eq. 4.3–4.7, K_v of ch. 5, ERRATA 8
     options.identification.use_evidence = false;       // ERRATA 10
     options.identification.use_ilp = ilp_available();  // ch. 5: solved by GLPK

@@ -75,8 +75,9 @@ struct Network {
     std::unique_ptr<PoseHead> pose;
     std::vector<Expert> experts;
 
-    // ink: [1, 1, input, input], 0 paper, 1 ink. expert −1: the router decides.
-    NetworkResult forward(const Tensor& ink, const Runtime& runtime, int expert = -1) const;
+    // ink: [1, 1, input, input], 0 paper, 1 ink. expert −1: the router decides. mirror: all probabilities are the
+    // means of those of the drawing and of its mirror image.
+    NetworkResult forward(const Tensor& ink, const Runtime& runtime, int expert = -1, bool mirror = false) const;
 };
 
 // Throws Error(weights) naming the file and the fact.

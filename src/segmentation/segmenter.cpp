@@ -27,7 +27,7 @@ Segmentation Segmenter::segment(const RgbImage& drawing, const Mask& mask,
     // 1. The network sees how dark the ink is, in its own square.
     const Grid<float> ink = ink_darkness(drawing);
     const segmentation::NetworkResult seen =
-        net.forward(segmentation::to_input(ink, net.input, options.grey_erosion), runtime);
+        net.forward(segmentation::to_input(ink, net.input, options.grey_erosion), runtime, -1, options.mirror);
 
     Segmentation result;
     result.expert = net.expert_names[static_cast<std::size_t>(seen.expert)];
