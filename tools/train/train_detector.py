@@ -3,23 +3,19 @@
 
 usage: train_detector.py SHARDS OUT --minutes M [--resume CHECKPOINT] [--rate 1e-3] [--batch 6] [--seed 1]
        train_detector.py --export CHECKPOINT detector.safetensors      (F16, the moving average of the weights)
-AdamW; the rate climbs for 3 %, stays until half of the time and falls along a cosine to zero. Writes OUT/last.pt every few minutes.
+The loop is loop.py's. Writes OUT/last.pt every few minutes.
 """
-import argparse
-import copy
-import os
 import sys
-import time
 
-import cv2
 import numpy as np
 import torch
 
 import backbones
 import dataset
 import export
+import loop
 import pages
-from train import SHARES, follow, rate_at
+from train import SHARES
 
 
 def targets(masks):
@@ -43,57 +39,6 @@ def new_model():
     return model, facts
 
 
-def save(path, model, average, optimiser, step):
-    torch.save({"model": model.state_dict(), "average": average.state_dict(), "optimiser": optimiser.state_dict(), "step": step},
-               path + ".part")
-    os.replace(path + ".part", path)
-
-
-def train(args):
-    torch.set_num_threads(1)
-    cv2.setNumThreads(1)
-    torch.manual_seed(args.seed)
-    rng = np.random.default_rng(args.seed)
-    shards = dataset.Shards(args.shards, SHARES)
-    model, _ = new_model()
-    model.train()
-    optimiser = torch.optim.AdamW(model.parameters(), lr=args.rate, weight_decay=0.01)
-    step = 0
-    if args.resume:
-        state = torch.load(args.resume)
-        model.load_state_dict(state["model"])
-        optimiser.load_state_dict(state["optimiser"])
-        step = state["step"]
-    average = copy.deepcopy(model)
-    if args.resume:
-        average.load_state_dict(state["average"])
-    begin, saved, losses = time.time(), time.time(), []
-    while (progress := (time.time() - begin) / (60 * args.minutes)) < 1:
-        for group in optimiser.param_groups:
-            group["lr"] = rate_at(progress, args.rate)
-        images, wanted = [], []
-        while len(images) < args.batch:
-            ink, masks = pages.compose(shards, rng)
-            images.append(torch.from_numpy(ink)[None])
-            wanted.append(targets(masks))
-        parts = model(images, wanted)
-        loss = sum(parts.values())
-        optimiser.zero_grad()
-        loss.backward()
-        torch.nn.utils.clip_grad_norm_(model.parameters(), 5.0)
-        optimiser.step()
-        step += 1
-        follow(average, model, min(0.995, step / (step + 20)))
-        losses.append([v.item() for v in parts.values()])
-        if step % 25 == 0:
-            print(f"step {step} {time.time() - begin:.0f} s", " ".join(f"{k} {v:.3f}" for k, v in zip(parts, np.mean(losses, 0))), flush=True)
-            losses = []
-        if time.time() - saved > 150:
-            save(f"{args.out}/last.pt", model, average, optimiser, step)
-            saved = time.time()
-    save(f"{args.out}/last.pt", model, average, optimiser, step)
-
-
 def write_weights(checkpoint, path):
     model, facts = new_model()
     model.load_state_dict(torch.load(checkpoint, map_location="cpu")["average"])
@@ -103,17 +48,14 @@ def write_weights(checkpoint, path):
 def main():
     if sys.argv[1:2] == ["--export"]:
         return write_weights(sys.argv[2], sys.argv[3])
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("shards")
-    parser.add_argument("out")
-    parser.add_argument("--minutes", type=float, required=True)
-    parser.add_argument("--resume")
-    parser.add_argument("--rate", type=float, default=1e-3)
-    parser.add_argument("--batch", type=int, default=6)
-    parser.add_argument("--seed", type=int, default=1)
-    args = parser.parse_args()
-    os.makedirs(args.out, exist_ok=True)
-    train(args)
+    args = loop.parse(__doc__, 1.5e-3, 6)
+    shards = dataset.Shards(args.shards, SHARES)
+    model = new_model()[0].train()
+
+    def losses_of(model, rng):
+        composed = [pages.compose(shards, rng) for _ in range(args.batch)]
+        return model([torch.from_numpy(ink)[None] for ink, _ in composed], [targets(masks) for _, masks in composed])
+    loop.train(model, losses_of, args, weight_decay=0.01, clip=5.0, decay=0.995, report=25, facts={})
 
 
 if __name__ == "__main__":
