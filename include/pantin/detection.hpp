@@ -49,6 +49,9 @@ struct DetectionOptions {
 
     // Grouping by Mask R-CNN (src/detection/network_grouping.hpp).
     double network_score = 0.5;    // least score of a detection
+    // A detection with so much of its mask inside the mask of a larger one that is as sure, or less by the margin, is
+    // a part of that character.
+    double contained_share = 0.6, contained_margin = 0;
     double shared_claim = 0.2;     // a piece of ink of which others claim this share is divided
     double unclaimed_reach = 0.06; // ink that nobody claims belongs to a character this near (of its diagonal)
     int threads = 1;               // of the network; results do not depend on it
@@ -66,6 +69,7 @@ public:
         double score = 0;
         double left = 0, top = 0, right = 0, bottom = 0; // page pixels
         Grid<float> mask;                                // probabilities inside the box, 28×28
+        double probability(double x, double y) const; // of the mask at a place of the page; 0 outside the box
     };
     // By descending score.
     std::vector<Found> find(const RgbImage& page, int threads = 1) const;

@@ -125,9 +125,8 @@ std::vector<int> largest_groups(const Grouping& grouping, int count) {
 Grouping group(const RgbImage& page, const Mask& ink, int factor, const DetectionOptions& options,
                const CharacterFinder* finder) {
     if (finder) {
-        std::vector<CharacterFinder::Found> found =
-            finder->find(is_dark_page(greyscale(page)) ? inverted(page) : page, options.threads);
-        std::erase_if(found, [&](const auto& f) { return f.score < options.network_score; });
+        const std::vector<CharacterFinder::Found> found = whole_characters(
+            finder->find(is_dark_page(greyscale(page)) ? inverted(page) : page, options.threads), options);
         Claims claims{CharacterFinder::claims(found, ink.width(), ink.height(), factor), {}};
         for (const CharacterFinder::Found& f : found) claims.scores.push_back(f.score);
         if (!found.empty()) return group_by_claims(ink, claims, options);

@@ -10,6 +10,24 @@ namespace pantin {
 
 namespace {
 
+// Whether `part` is a part of `whole` rather than a character of its own (DetectionOptions::contained_share).
+bool is_part(const CharacterFinder::Found& part, const CharacterFinder::Found& whole,
+             const DetectionOptions& options) {
+    const auto area = [](const CharacterFinder::Found& f) { return (f.right - f.left) * (f.bottom - f.top); };
+    if (&part == &whole || area(whole) <= area(part) || whole.score < part.score - options.contained_margin)
+        return false;
+    int own = 0, shared = 0;
+    for (int row = 0; row < part.mask.height(); ++row)
+        for (int column = 0; column < part.mask.width(); ++column) {
+            if (part.mask(column, row) < 0.5f) continue;
+            ++own;
+            shared += whole.probability(part.left + (column + 0.5) * (part.right - part.left) / part.mask.width(),
+                                        part.top + (row + 0.5) * (part.bottom - part.top) / part.mask.height()) >=
+                      0.5;
+        }
+    return shared >= options.contained_share * own;
+}
+
 // Per piece of ink: detection → number of its pixels that the detection claims.
 std::vector<std::map<int, int>> count_claims(const Components& pieces, const Grid<int>& owner) {
     std::vector<std::map<int, int>> claims(pieces.list.size());
@@ -101,6 +119,16 @@ void give_unclaimed(Grid<int>& groups, const Components& pieces, const std::vect
 }
 
 } // namespace
+
+std::vector<CharacterFinder::Found> whole_characters(std::vector<CharacterFinder::Found> found,
+                                                     const DetectionOptions& options) {
+    std::erase_if(found, [&](const auto& f) { return f.score < options.network_score; });
+    std::vector<CharacterFinder::Found> whole;
+    for (const CharacterFinder::Found& f : found)
+        if (std::none_of(found.begin(), found.end(), [&](const auto& other) { return is_part(f, other, options); }))
+            whole.push_back(f);
+    return whole;
+}
 
 Grouping group_by_claims(const Mask& ink, const Claims& claims, const DetectionOptions& options) {
     const Components pieces = connected_components(ink);

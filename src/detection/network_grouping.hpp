@@ -11,6 +11,10 @@ struct Claims {
     std::vector<double> scores; // of the detections
 };
 
+// The detections that are sure enough (`network_score`) and no parts of larger ones (`contained_share`).
+std::vector<CharacterFinder::Found> whole_characters(std::vector<CharacterFinder::Found> found,
+                                                     const DetectionOptions& options);
+
 // The network says which ink belongs together, the ink says where the border runs:
 // 1. A connected piece of ink goes to the detection that claims most of its claimed pixels. A piece of which
 //    `shared_claim` or more go to others (characters that touch) is divided, each pixel to the nearest claim.

@@ -76,6 +76,24 @@ TEST_CASE("Of two claims on a pixel the stronger counts, where the mask is at le
     CHECK(owner(35, 5) == 0);
 }
 
+TEST_CASE("A detection mostly inside a larger one that is as sure is a part of it") {
+    const auto found = [](double score, double left, double right, float inside) {
+        return CharacterFinder::Found{score, left, 0, right, 40, Grid<float>(28, 28, inside)};
+    };
+    const auto count = [](std::vector<CharacterFinder::Found> list, const DetectionOptions& options = {}) {
+        return whole_characters(std::move(list), options).size();
+    };
+    const CharacterFinder::Found whole = found(0.9, 0, 80, 0.9f);
+    CHECK(count({whole, found(0.8, 10, 40, 0.9f)}) == 1);
+    CHECK(count({whole, found(0.8, 10, 40, 0.9f)}, {.contained_share = 1.01}) == 2);
+    CHECK(count({whole, found(0.8, 70, 110, 0.9f)}) == 2);                   // a quarter of it lies inside
+    CHECK(count({found(0.9, 0, 80, 0.2f), found(0.8, 10, 40, 0.9f)}) == 2);  // the larger mask does not say so
+    CHECK(count({found(0.95, 10, 40, 0.9f), whole}) == 2);                   // the smaller one is surer
+    CHECK(count({found(0.95, 10, 40, 0.9f), whole}, {.contained_margin = 0.1}) == 1);
+    CHECK(count({whole, whole}) == 2);                                       // neither is larger
+    CHECK(count({whole, found(0.4, 100, 140, 0.9f)}) == 1);                  // not sure enough
+}
+
 TEST_CASE("The finder reads a page of any size and gives places on it") {
     const std::vector<unsigned char> bytes = read_file("testdata/mask_rcnn_tiny.safetensors");
     const CharacterFinder finder(bytes, "tiny");
