@@ -96,35 +96,53 @@ RgbaImage halved(const RgbaImage& image) {
     return half;
 }
 
-// Bilinear; weights are whole 256ths, so the arithmetic is exact.
+// The texture, bilinear; weights are whole 256ths, so the arithmetic is exact. Two channels share a 64-bit number:
+// none of their sums (at most 255 · 2^16 + 2^15) reaches the other.
 class Sampler {
 public:
-    explicit Sampler(const RgbaImage& image) : image_(image) {}
-    Rgba8 operator()(double u, double v) const {
-        const double x = std::clamp(u * image_.width() - 0.5, 0.0, image_.width() - 1.0);
-        const double y = std::clamp(v * image_.height() - 0.5, 0.0, image_.height() - 1.0);
-        const int fx = static_cast<int>(x * 256 + 0.5), fy = static_cast<int>(y * 256 + 0.5);
-        const int x0 = fx >> 8, y0 = fy >> 8, x1 = std::min(x0 + 1, image_.width() - 1);
-        const int tx = fx & 255, ty = fy & 255;
-        const Rgba8 *top = image_.row(y0), *bottom = image_.row(std::min(y0 + 1, image_.height() - 1));
-        const int a = (256 - tx) * (256 - ty), b = tx * (256 - ty), c = (256 - tx) * ty, d = tx * ty;
-        const auto mix = [&](std::uint8_t Rgba8::*channel) {
-            return static_cast<std::uint8_t>((a * (top[x0].*channel) + b * (top[x1].*channel) +
-                                              c * (bottom[x0].*channel) + d * (bottom[x1].*channel) +
-                                              32768) >>
-                                             16);
+    explicit Sampler(const RgbaImage& image) : texels_(image.width(), image.height()) {
+        const auto pair = [](std::uint8_t low, std::uint8_t high) {
+            return low | static_cast<std::uint64_t>(high) << 32;
         };
-        return {mix(&Rgba8::r), mix(&Rgba8::g), mix(&Rgba8::b), mix(&Rgba8::a)};
+        std::transform(image.begin(), image.end(), texels_.begin(), [&](const Rgba8& p) {
+            return Texel{pair(p.r, p.g), pair(p.b, p.a)};
+        });
+    }
+    Rgba8 operator()(double u, double v) const {
+        const double x = std::clamp(u * texels_.width() - 0.5, 0.0, texels_.width() - 1.0);
+        const double y = std::clamp(v * texels_.height() - 0.5, 0.0, texels_.height() - 1.0);
+        const int fx = static_cast<int>(x * 256 + 0.5), fy = static_cast<int>(y * 256 + 0.5);
+        const int x0 = fx >> 8, y0 = fy >> 8, x1 = std::min(x0 + 1, texels_.width() - 1);
+        const auto tx = static_cast<std::uint64_t>(fx & 255), ty = static_cast<std::uint64_t>(fy & 255);
+        const Texel *top = texels_.row(y0), *bottom = texels_.row(std::min(y0 + 1, texels_.height() - 1));
+        const std::uint64_t a = (256 - tx) * (256 - ty), b = tx * (256 - ty), c = (256 - tx) * ty, d = tx * ty;
+        const auto mix = [&](std::uint64_t Texel::*channels) {
+            constexpr std::uint64_t half = 32768;
+            return a * (top[x0].*channels) + b * (top[x1].*channels) + c * (bottom[x0].*channels) +
+                   d * (bottom[x1].*channels) + (half | half << 32);
+        };
+        const auto low = [](std::uint64_t sums) { return static_cast<std::uint8_t>(sums >> 16); };
+        const auto high = [](std::uint64_t sums) { return static_cast<std::uint8_t>(sums >> 48); };
+        const std::uint64_t red_green = mix(&Texel::red_green), blue_alpha = mix(&Texel::blue_alpha);
+        return {low(red_green), high(red_green), low(blue_alpha), high(blue_alpha)};
     }
 
 private:
-    const RgbaImage& image_;
+    struct Texel {
+        std::uint64_t red_green = 0, blue_alpha = 0;
+    };
+    Grid<Texel> texels_;
 };
+
+std::int64_t floor_div(std::int64_t a, std::int64_t b) { // b > 0
+    return a >= 0 ? a / b : -((-a + b - 1) / b);
+}
 
 class Rasteriser {
 public:
     Rasteriser(int width, int height)
-        : colour_(width, height), depth_(width, height, -std::numeric_limits<float>::infinity()) {}
+        : colour_(width, height), depth_(width, height, -std::numeric_limits<float>::infinity()),
+          drawn_(static_cast<std::size_t>(height), {width, 0}) {}
 
     void draw(ScreenVertex a, ScreenVertex b, ScreenVertex c, const Sampler& sampler) {
         std::int64_t area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -134,46 +152,44 @@ public:
             area = -area;
         }
         const std::array<Edge, 3> edges = {Edge(b, c), Edge(c, a), Edge(a, b)};
-        const auto [left, right] =
-            sample_range(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), colour_.width());
-        const auto [top, bottom] =
-            sample_range(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), colour_.height());
+        const Span columns = sample_range(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), colour_.width());
+        const Span rows = sample_range(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), colour_.height());
         const double inverse = 1.0 / static_cast<double>(area);
-        for (int y = top; y < bottom; ++y)
-            for (int x = left; x < right; ++x) {
-                const std::int64_t e0 = edges[0].at(x, y), e1 = edges[1].at(x, y), e2 = edges[2].at(x, y);
-                if ((e0 + edges[0].bias) < 0 || (e1 + edges[1].bias) < 0 || (e2 + edges[2].bias) < 0)
-                    continue;
-                const double p = static_cast<double>(e0) * inverse, q = static_cast<double>(e1) * inverse;
-                shade(x, y, a, b, c, p, q, sampler);
-            }
+        for (int y = rows.begin; y < rows.end; ++y) {
+            Span span = columns;
+            for (const Edge& edge : edges) edge.clip(span, y);
+            if (span.begin >= span.end) continue;
+            Span& drawn = drawn_[static_cast<std::size_t>(y)];
+            drawn = {std::min(drawn.begin, span.begin), std::max(drawn.end, span.end)};
+            std::int64_t e0 = edges[0].at(span.begin, y), e1 = edges[1].at(span.begin, y);
+            for (int x = span.begin; x < span.end; ++x, e0 += edges[0].step(), e1 += edges[1].step())
+                shade(x, y, a, b, c, static_cast<double>(e0) * inverse, static_cast<double>(e1) * inverse, sampler);
+        }
     }
 
     // Mean of the samples of each pixel over the background, straight alpha.
     RgbaImage resolve(int supersampling, Rgba8 background) const {
-        RgbaImage image(colour_.width() / supersampling, colour_.height() / supersampling);
-        const int samples = supersampling * supersampling;
-        for (int y = 0; y < image.height(); ++y)
-            for (int x = 0; x < image.width(); ++x) {
-                int r = 0, g = 0, b = 0, covered = 0;
-                for (int j = 0; j < supersampling; ++j)
-                    for (int i = 0; i < supersampling; ++i) {
-                        const Rgba8 s = colour_(x * supersampling + i, y * supersampling + j);
-                        if (s.a != 0) r += s.r, g += s.g, b += s.b, ++covered;
-                    }
-                // Premultiplied sums in units of 1/255 of a sample.
-                const int rest = samples - covered, alpha = 255 * covered + background.a * rest;
-                const auto mean = [&](int sum, int back) {
-                    const int weighted = 255 * sum + background.a * back * rest;
-                    return static_cast<std::uint8_t>(alpha > 0 ? (2 * weighted + alpha) / (2 * alpha) : 0);
-                };
-                image(x, y) = {mean(r, background.r), mean(g, background.g), mean(b, background.b),
-                               static_cast<std::uint8_t>((2 * alpha + samples) / (2 * samples))};
+        // As the mean below would make it.
+        const Rgba8 empty = background.a == 0 ? Rgba8{0, 0, 0, 0} : background;
+        RgbaImage image(colour_.width() / supersampling, colour_.height() / supersampling, empty);
+        for (int y = 0; y < image.height(); ++y) {
+            Span drawn{colour_.width(), 0};
+            for (int j = 0; j < supersampling; ++j) {
+                const Span& row = drawn_[static_cast<std::size_t>(y * supersampling + j)];
+                drawn = {std::min(drawn.begin, row.begin), std::max(drawn.end, row.end)};
             }
+            const int end = std::min((drawn.end + supersampling - 1) / supersampling, image.width());
+            for (int x = drawn.begin / supersampling; x < end; ++x)
+                image(x, y) = mean_of_samples(x, y, supersampling, background);
+        }
         return image;
     }
 
 private:
+    struct Span {
+        int begin = 0, end = 0;
+    };
+
     // Positive inside (y down, clockwise). A sample on the edge belongs to it if the edge is a top or a left
     // one.
     struct Edge {
@@ -188,14 +204,23 @@ private:
                                py = row * subsamples + subsamples / 2;
             return dx * (py - y) - dy * (px - x);
         }
+        // From a sample to the next one of the row.
+        std::int64_t step() const { return -dy * subsamples; }
+        // Cuts the span to the samples inside.
+        void clip(Span& span, int row) const {
+            const std::int64_t first = at(0, row) + bias;
+            if (step() > 0) // first + x · step ≥ 0
+                span.begin = static_cast<int>(std::max<std::int64_t>(span.begin, -floor_div(first, step())));
+            else if (step() < 0)
+                span.end = static_cast<int>(std::min<std::int64_t>(span.end, floor_div(first, -step()) + 1));
+            else if (first < 0)
+                span.end = span.begin;
+        }
     };
 
-    static std::pair<int, int> sample_range(std::int64_t low, std::int64_t high, int size) {
-        const auto floor_div = [](std::int64_t v) {
-            return v >= 0 ? v / subsamples : -((-v + subsamples - 1) / subsamples);
-        };
-        return {static_cast<int>(std::clamp<std::int64_t>(floor_div(low), 0, size)),
-                static_cast<int>(std::clamp<std::int64_t>(floor_div(high) + 1, 0, size))};
+    static Span sample_range(std::int64_t low, std::int64_t high, int size) {
+        return {static_cast<int>(std::clamp<std::int64_t>(floor_div(low, subsamples), 0, size)),
+                static_cast<int>(std::clamp<std::int64_t>(floor_div(high, subsamples) + 1, 0, size))};
     }
 
     void shade(int x, int y, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, double p,
@@ -210,8 +235,27 @@ private:
         colour_(x, y) = {texel.r, texel.g, texel.b, 255};
     }
 
+    Rgba8 mean_of_samples(int x, int y, int supersampling, Rgba8 background) const {
+        int r = 0, g = 0, b = 0, covered = 0;
+        for (int j = 0; j < supersampling; ++j) {
+            const Rgba8* row = colour_.row(y * supersampling + j) + x * supersampling;
+            for (int i = 0; i < supersampling; ++i)
+                if (row[i].a != 0) r += row[i].r, g += row[i].g, b += row[i].b, ++covered;
+        }
+        // Premultiplied sums in units of 1/255 of a sample.
+        const int samples = supersampling * supersampling;
+        const int rest = samples - covered, alpha = 255 * covered + background.a * rest;
+        const auto mean = [&](int sum, int back) {
+            const int weighted = 255 * sum + background.a * back * rest;
+            return static_cast<std::uint8_t>(alpha > 0 ? (2 * weighted + alpha) / (2 * alpha) : 0);
+        };
+        return {mean(r, background.r), mean(g, background.g), mean(b, background.b),
+                static_cast<std::uint8_t>((2 * alpha + samples) / (2 * samples))};
+    }
+
     RgbaImage colour_;
     Grid<float> depth_;
+    std::vector<Span> drawn_; // per row of samples, the columns that any triangle covers
 };
 
 // The texture reduced until a sample is at least two thirds of a texel.
