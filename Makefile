@@ -2,6 +2,7 @@
 #   config=release|debug|sanitize   objects and programs go to build/$(config)/
 #   GLPK=0 WEBP=0 GIF=0             build without that library;  STATIC=1  one static binary
 #   werror=1                        warnings are errors (CI);    CXX=clang++  another compiler
+#   V=1                             shows the commands
 
 config ?= release
 BUILD ?= build/$(config)
@@ -10,6 +11,12 @@ DESTDIR ?=
 INSTALL ?= install
 AR ?= ar
 VERSION := 0.1.0
+
+ifeq ($(V),1)
+  run =
+else
+  run = @printf '  %-4s %s\n' $(1) $@;
+endif
 
 have = $(shell printf '\#include <stdio.h>\n\#include <$(1)>\n' | $(CXX) -E -x c++ - >/dev/null 2>&1 && echo 1)
 GLPK ?= $(call have,glpk.h)
@@ -103,14 +110,14 @@ check-gltf: demo
 	tools/check_gltf.sh out/demo
 
 $(BUILD)/pantin: $(BUILD)/src/cli/main.o $(BUILD)/libpantin.a
-	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 $(BUILD)/libpantin.a: $(LIB_OBJECTS)
 	@rm -f $@
-	$(AR) rcsD $@ $^
+	$(call run,AR)$(AR) rcsD $@ $^
 $(BUILD)/doodle: $(BUILD)/tools/doodle/main.o $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
-	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 $(BUILD)/pantin-tests: $(TEST_OBJECTS) $(DOODLE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/libpantin.a
-	$(CXX) $(LDFLAGS) -o $@ $^ $(TEST_LDLIBS) $(LDLIBS)
+	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(TEST_LDLIBS) $(LDLIBS)
 $(BUILD)/tests/%.o: CPPFLAGS += -Itests
 # Tests take longer to compile than to run; instrumented assertions and option parsers most of all.
 $(BUILD)/tests/%.o: CXXFLAGS += -O$(if $(filter release,$(config)),1,0)
@@ -118,25 +125,25 @@ ifeq ($(config),sanitize)
 $(BUILD)/src/cli/%.o: CXXFLAGS += -O0
 endif
 $(BUILD)/bench: $(BENCH_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
-	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 $(BUILD)/compare_reference: $(COMPARE_OBJECTS) $(BUILD)/libpantin.a
-	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 $(BUILD)/compare_torch: $(BUILD)/tools/compare_torch/main.o $(TORCH_OBJECTS) $(BUILD)/libpantin.a
-	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 $(BUILD)/evaluate_identification: $(EVALUATE_OBJECTS) $(BUILD)/libpantin.a
-	$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 # Weights and references are compiled in, so that the program is one file that runs anywhere.
 $(BUILD)/resources.S: tools/embed.sh $(RESOURCES) Makefile
 	@mkdir -p $(@D)
-	tools/embed.sh $(RESOURCES) > $@.tmp && mv $@.tmp $@
+	$(call run,DATA)tools/embed.sh $(RESOURCES) > $@.tmp && mv $@.tmp $@
 $(BUILD)/resources.o: $(BUILD)/resources.S
-	$(CXX) -c -o $@ $<
+	$(call run,AS)$(CXX) -c -o $@ $<
 
 $(BUILD)/%.o: %.cpp
 	@mkdir -p $(@D)
-	$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(FILE_FLAGS) -MMD -MP -c -o $@ $<
+	$(call run,CXX)$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(FILE_FLAGS) -MMD -MP -c -o $@ $<
 -include $(patsubst %.o,%.d,$(LIB_OBJECTS) $(DOODLE_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS) $(COMPARE_OBJECTS) $(EVALUATE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/tools/compare_torch/main.o $(BUILD)/src/cli/main.o $(BUILD)/tools/doodle/main.o)
 
 install: $(BUILD)/pantin
