@@ -19,39 +19,38 @@ std::int64_t floor_divide(std::int64_t a, std::int64_t b) { // b > 0
     return q - (a % b != 0 && a < 0);
 }
 
-// Lower envelope of the parabolas f_i(x) = scale·(x − i)² + height_i, i = 0 … n−1, on the integers 0 … n−1.
+// Lower envelope of the parabolas f_i(x) = scale·(x − i)² + height_i, i = first … last, on the same integers.
 // owner(x) = the i with the smallest f_i(x), the smallest such i among equals.
 class LowerEnvelope {
 public:
     explicit LowerEnvelope(int n)
         : parabolas_(static_cast<std::size_t>(n)), starts_(static_cast<std::size_t>(n)) {}
 
-    // Calls visit(x, i) for x = n−1 … 0.
+    // Calls visit(x, i) for x = last … first.
     template <class Visit>
-    void run(const std::vector<std::int64_t>& height, std::int64_t scale, Visit visit) {
+    void run(const std::vector<std::int64_t>& height, std::int64_t scale, int first, int last, Visit visit) {
         const auto value = [&](std::int64_t x, int i) { return scale * (x - i) * (x - i) + height[i]; };
-        const int n = static_cast<int>(height.size());
         int top = 0;
-        parabolas_[0] = 0;
-        starts_[0] = 0;
-        for (int i = 1; i < n; ++i) {
+        parabolas_[0] = first;
+        starts_[0] = first;
+        for (int i = first + 1; i <= last; ++i) {
             while (top >= 0 && value(starts_[top], parabolas_[top]) > value(starts_[top], i)) --top;
             if (top < 0) {
                 top = 0;
                 parabolas_[0] = i;
-                continue; // starts_[0] stays 0
+                continue; // starts_[0] stays
             }
             const std::int64_t u = parabolas_[top], j = i;
             // Last x at which u is at most as high as i.
-            const std::int64_t last = floor_divide(
+            const std::int64_t until = floor_divide(
                 scale * (j * j - u * u) + height[i] - height[parabolas_[top]], 2 * scale * (j - u));
-            if (last + 1 < n) {
+            if (until < last) {
                 ++top;
                 parabolas_[top] = i;
-                starts_[top] = static_cast<int>(last + 1);
+                starts_[top] = static_cast<int>(until + 1);
             }
         }
-        for (int x = n - 1; x >= 0; --x) {
+        for (int x = last; x >= first; --x) {
             visit(x, parabolas_[top]);
             if (x == starts_[top]) --top;
         }
@@ -60,6 +59,22 @@ public:
 private:
     std::vector<int> parabolas_, starts_;
 };
+
+// Calls run(first, last) for the stretches of 0 … n−1 that end at the zeros and hold none inside. What lies beyond a
+// zero is farther than the zero, so each stretch has its own envelope.
+template <class Zero, class Run> void between_zeros(int n, Zero zero, Run run) {
+    for (int first = 0; first < n;) {
+        int last = first + 1;
+        if (last < n && zero(first) && zero(last)) { // no stretch between neighbours
+            run(first, first);
+            first = last;
+            continue;
+        }
+        while (last < n && !zero(last)) ++last;
+        run(first, std::min(last, n - 1));
+        first = last;
+    }
+}
 
 // Distance along the column to the nearest pixel with that value; `far` where there is none.
 Grid<int> column_distance(const Mask& mask, std::uint8_t value, bool outside, int far) {
@@ -99,11 +114,42 @@ Grid<int> squared_distance_to(const Mask& mask, std::uint8_t value, bool outside
         const int* in = column.row(y);
         int* out = result.row(y);
         for (int x = 0; x < w; ++x) height[x + shift] = static_cast<std::int64_t>(in[x]) * in[x];
-        envelope.run(height, 1, [&](int x, int i) {
+        const auto visit = [&](int x, int i) {
             if (x >= shift && x < w + shift) out[x - shift] = static_cast<int>(height[i] + (x - i) * (x - i));
-        });
+        };
+        between_zeros(
+            w + 2 * shift, [&](int x) { return height[x] == 0; },
+            [&](int first, int last) { envelope.run(height, 1, first, last, visit); });
     }
     return result;
+}
+
+Mask within_disc(const Mask& mask, std::uint8_t value, bool outside, double radius) {
+    const int w = mask.width(), h = mask.height(), far = w + h;
+    Mask near(w, h);
+    if (mask.empty()) return near;
+    const Grid<int> column = column_distance(mask, value, outside, far);
+    // reach[d]: how far to both sides the disc around a pixel with that value still covers the row d away; −1: no more.
+    std::vector<int> reach(static_cast<std::size_t>(far) + 1, -1);
+    double k = std::min(std::floor(radius), static_cast<double>(far));
+    for (int d = 0; d < far; ++d) {
+        while (k >= 0 && d * static_cast<double>(d) + k * k > radius * radius) --k;
+        reach[d] = static_cast<int>(k);
+    }
+    const int beyond = outside ? reach[0] : -1;
+    for (int y = 0; y < h; ++y) {
+        const int* in = column.row(y);
+        std::uint8_t* out = near.row(y);
+        for (int x = 0, left = beyond; x < w; ++x) {
+            left = std::max(left - 1, reach[in[x]]);
+            out[x] = left >= 0;
+        }
+        for (int x = w - 1, right = beyond; x >= 0; --x) {
+            right = std::max(right - 1, reach[in[x]]);
+            out[x] |= right >= 0;
+        }
+    }
+    return near;
 }
 
 Grid<int> squared_distance_transform(const Mask& mask) { return squared_distance_to(mask, 0, true); }
@@ -143,7 +189,12 @@ Grid<int> nearest_seed(const Mask& seeds) {
             const std::int64_t dy = row(x, y) - y;
             height[x] = row(x, y) < 0 ? far : dy * dy * scale + row(x, y);
         }
-        envelope.run(height, scale, [&](int x, int i) { nearest(x, y) = row(i, y) * w + i; });
+        between_zeros(
+            w, [&](int x) { return row(x, y) == y; },
+            [&](int first, int last) {
+                envelope.run(height, scale, first, last,
+                             [&](int x, int i) { nearest(x, y) = row(i, y) * w + i; });
+            });
     }
     return nearest;
 }

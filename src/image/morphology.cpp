@@ -71,18 +71,10 @@ Mask close_square(const Mask& mask, int radius) {
     return unpad(erode_square(dilate_square(pad(mask, radius), radius), radius), radius);
 }
 
-Mask dilate_disc(const Mask& mask, double radius) {
-    const Grid<int> distance = squared_distance_to(mask, 1, false);
-    const int far = mask.width() + mask.height(); // there is nothing to dilate from there on
-    const double limit = std::min(radius * radius, static_cast<double>(far) * far - 1);
-    Mask out(mask.width(), mask.height());
-    for (std::size_t i = 0; i < out.size(); ++i) out.data()[i] = distance.data()[i] <= limit;
-    return out;
-}
+Mask dilate_disc(const Mask& mask, double radius) { return within_disc(mask, 1, false, radius); }
 Mask erode_disc(const Mask& mask, double radius) {
-    const Grid<int> distance = squared_distance_to(mask, 0, true);
-    Mask out(mask.width(), mask.height());
-    for (std::size_t i = 0; i < out.size(); ++i) out.data()[i] = distance.data()[i] > radius * radius;
+    Mask out = within_disc(mask, 0, true, radius);
+    for (std::uint8_t& pixel : out) pixel = !pixel;
     return out;
 }
 Mask close_disc(const Mask& mask, double radius) {
