@@ -268,6 +268,8 @@ void add(Tensor& x, const Tensor& y);
 Tensor concatenate(const Tensor& a, const Tensor& b); // along channels
 Tensor mirrored(const Tensor& input); // left and right exchanged
 Tensor resize_nearest(const Tensor& input, int height, int width);
+// x += y, resized to x's size as above.
+void add_nearest(Tensor& x, const Tensor& y);
 // PyTorch's bilinear interpolation with align_corners = false, without antialiasing.
 Tensor resize_bilinear(const Tensor& input, int height, int width, const Runtime& runtime);
 // The same with align_corners = true: the corner pixels' centres stay where they are.

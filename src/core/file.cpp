@@ -31,16 +31,21 @@ void require_regular(const fs::path& file) {
     if (!fs::is_regular_file(status)) throw Error(ErrorKind::input, file.string() + ": is not a regular file");
 }
 
+constexpr std::size_t read_step = 65536;
+
 template <class Bytes> Bytes read_all(const fs::path& file, std::size_t limit) {
     require_regular(file);
     errno = 0;
     const Handle handle(std::fopen(file.c_str(), "rb"));
     if (!handle) throw Error(ErrorKind::input, file.string() + ": cannot be opened: " + reason());
     Bytes bytes;
+    std::error_code unknown;
+    const std::uintmax_t size = fs::file_size(file, unknown);
+    if (!unknown && size <= limit) bytes.reserve(static_cast<std::size_t>(size) + read_step); // one copy of a large file
     std::size_t used = 0;
     for (;;) {
-        bytes.resize(used + 65536);
-        const std::size_t got = std::fread(bytes.data() + used, 1, 65536, handle.get());
+        bytes.resize(used + read_step);
+        const std::size_t got = std::fread(bytes.data() + used, 1, read_step, handle.get());
         used += got;
         if (used > limit) throw Error(ErrorKind::input, file.string() + ": is too large");
         if (got == 0) break;

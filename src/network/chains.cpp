@@ -157,28 +157,20 @@ private:
 
 } // namespace
 
-PackedFilters pack(int out, int in_per_group, int groups, int taps,
-                   const std::function<float(int, int, int)>& weight) {
+PackedFilters block_layout(int out, int in_per_group, int groups, int taps) {
     PackedFilters packed;
     packed.in_per_group = in_per_group;
     packed.taps = taps;
-    packed.weights.reserve(static_cast<std::size_t>(out) * in_per_group * taps);
     const int per_group = out / groups;
-    const int blocks = (per_group + max_rows - 1) / max_rows; // of nearly equal height
-    for (int group = 0; group < groups; ++group) {
+    const int blocks = (per_group + max_rows - 1) / max_rows;
+    for (int group = 0; group < groups; ++group)
         for (int b = 0; b < blocks; ++b) {
             FilterBlock block;
             block.group = group;
             block.first = group * per_group + b * per_group / blocks;
             block.rows = group * per_group + (b + 1) * per_group / blocks - block.first;
-            block.begin = packed.weights.size();
-            for (int i = 0; i < in_per_group; ++i)
-                for (int t = 0; t < taps; ++t)
-                    for (int r = 0; r < block.rows; ++r)
-                        packed.weights.push_back(weight(block.first + r, i, t));
             packed.blocks.push_back(block);
         }
-    }
     return packed;
 }
 

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 #include "pantin/network.hpp"
@@ -25,9 +24,20 @@ struct PackedFilters {
     std::vector<FilterBlock> blocks;
     std::vector<float> weights;
 };
+// Blocks of nearly equal height, without weights.
+PackedFilters block_layout(int out, int in_per_group, int groups, int taps);
 // weight(o, i, t): of output channel o, input channel i of its group, tap t.
-PackedFilters pack(int out, int in_per_group, int groups, int taps,
-                   const std::function<float(int, int, int)>& weight);
+template <class Weight> PackedFilters pack(int out, int in_per_group, int groups, int taps, Weight weight) {
+    PackedFilters packed = block_layout(out, in_per_group, groups, taps);
+    packed.weights.reserve(static_cast<std::size_t>(out) * in_per_group * taps);
+    for (FilterBlock& block : packed.blocks) {
+        block.begin = packed.weights.size();
+        for (int i = 0; i < in_per_group; ++i)
+            for (int t = 0; t < taps; ++t)
+                for (int r = 0; r < block.rows; ++r) packed.weights.push_back(weight(block.first + r, i, t));
+    }
+    return packed;
+}
 
 // A tap reads the input at row y·stride + dy, column x·stride + dx of the padded image, dy and dx ≥ 0.
 struct Tap {

@@ -57,7 +57,7 @@ Convolution::Convolution(Filters filters, const ConvolutionOptions& options)
         pack(filters_.out, per_group, options_.groups, taps, [&](int o, int i, int t) {
             return filters_.weights[(static_cast<std::size_t>(o) * per_group + i) * taps + t];
         }));
-    filters_.weights = {};
+    std::vector<float>().swap(filters_.weights);
 }
 Convolution::Convolution(Convolution&&) noexcept = default;
 Convolution& Convolution::operator=(Convolution&&) noexcept = default;
@@ -138,7 +138,7 @@ TransposedConvolution::TransposedConvolution(Filters filters, const ConvolutionO
                  });
         phases_.push_back(std::move(phase));
     }
-    filters_.weights = {};
+    std::vector<float>().swap(filters_.weights);
 }
 TransposedConvolution::TransposedConvolution(TransposedConvolution&&) noexcept = default;
 TransposedConvolution& TransposedConvolution::operator=(TransposedConvolution&&) noexcept = default;

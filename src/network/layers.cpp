@@ -121,17 +121,38 @@ Tensor mirrored(const Tensor& input) {
     return output;
 }
 
-Tensor resize_nearest(const Tensor& input, int height, int width) {
-    if (input.plane_size() == 0 || height < 1 || width < 1) fail("an empty image is resized");
-    Tensor output = Tensor::uninitialised(input.batch(), input.channels(), height, width);
+namespace {
+
+// Calls use(out, value) for the places of an image of `out`'s size, value = the nearest one of `input`.
+template <class Use> void enlarge_nearest(const Tensor& input, Tensor& out, Use use) {
+    if (input.plane_size() == 0 || out.plane_size() == 0) fail("an empty image is resized");
+    const auto source = [](int place, int in, int size) {
+        return static_cast<int>(static_cast<std::int64_t>(place) * in / size);
+    };
+    std::vector<int> columns;
+    for (int x = 0; x < out.width(); ++x) columns.push_back(source(x, input.width(), out.width()));
     for (int n = 0; n < input.batch(); ++n)
         for (int c = 0; c < input.channels(); ++c)
-            for (int y = 0; y < height; ++y)
-                for (int x = 0; x < width; ++x)
-                    output(n, c, y, x) =
-                        input(n, c, static_cast<int>(static_cast<std::int64_t>(y) * input.height() / height),
-                              static_cast<int>(static_cast<std::int64_t>(x) * input.width() / width));
+            for (int y = 0; y < out.height(); ++y) {
+                const float* in = input.plane(n, c) +
+                                  static_cast<std::size_t>(source(y, input.height(), out.height())) * input.width();
+                float* row = out.plane(n, c) + static_cast<std::size_t>(y) * out.width();
+                for (int x = 0; x < out.width(); ++x) use(row[x], in[columns[x]]);
+            }
+}
+
+} // namespace
+
+Tensor resize_nearest(const Tensor& input, int height, int width) {
+    if (height < 1 || width < 1) fail("an empty image is resized");
+    Tensor output = Tensor::uninitialised(input.batch(), input.channels(), height, width);
+    enlarge_nearest(input, output, [](float& out, float value) { out = value; });
     return output;
+}
+
+void add_nearest(Tensor& x, const Tensor& y) {
+    if (x.batch() != y.batch() || x.channels() != y.channels()) fail("a sum of tensors of different shapes");
+    enlarge_nearest(y, x, [](float& out, float value) { out += value; });
 }
 
 namespace {

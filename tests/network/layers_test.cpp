@@ -56,6 +56,9 @@ TEST_CASE("Nearest resizing repeats pixels") {
     const Tensor wide = resize_nearest(image, 2, 5);
     const float expected[] = {0, 0, 0, 1, 1};
     for (int x = 0; x < 5; ++x) CHECK(wide(0, 0, 1, x) == expected[x]);
+    Tensor sum(1, 1, 2, 5, 3.0f);
+    add_nearest(sum, image);
+    for (int x = 0; x < 5; ++x) CHECK(sum(0, 0, 1, x) == 3 + expected[x]);
 }
 
 TEST_CASE("Softmax sums to one, keeps the order and survives large logits") {

@@ -17,8 +17,7 @@ std::vector<Tensor> FeaturePyramid::forward(std::vector<Tensor> stages, const Ru
     for (std::size_t i = stages.size(); i-- > 0;) {
         Tensor lateral = inner[i].forward(stages[i], runtime);
         stages[i] = {}; // a large network's stages take much memory
-        if (i + 1 < stages.size())
-            network::add(lateral, network::resize_nearest(merged, lateral.height(), lateral.width()));
+        if (i + 1 < stages.size()) network::add_nearest(lateral, merged);
         merged = std::move(lateral);
         levels[i] = layer[i].forward(merged, runtime);
     }

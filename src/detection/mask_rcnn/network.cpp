@@ -43,6 +43,32 @@ Transformed transform(const Tensor& image, const TransformOptions& options, cons
     return result;
 }
 
+namespace {
+
+// So many regions are pooled at a time: all at once would take more memory than the network's weights.
+constexpr std::size_t portion = 64;
+
+template <class Use> void in_portions(const std::vector<Region>& regions, Use use) {
+    for (std::size_t first = 0; first < regions.size(); first += portion) {
+        const auto begin = regions.begin() + static_cast<std::ptrdiff_t>(first);
+        use(std::vector<Region>(begin, begin + static_cast<std::ptrdiff_t>(std::min(portion, regions.size() - first))));
+    }
+}
+
+// The tensors one after the other along the batch.
+Tensor stacked(const std::vector<Tensor>& parts) {
+    if (parts.empty()) return {};
+    int batch = 0;
+    for (const Tensor& part : parts) batch += part.batch();
+    const Tensor& first = parts.front();
+    Tensor all = Tensor::uninitialised(batch, first.channels(), first.height(), first.width());
+    float* out = all.begin();
+    for (const Tensor& part : parts) out = std::copy(part.begin(), part.end(), out);
+    return all;
+}
+
+} // namespace
+
 std::vector<Detection> Network::forward(const Tensor& image, const Runtime& runtime) const {
     const Transformed input = transform(image, options.transform, runtime);
     const std::vector<Tensor> levels =
@@ -53,14 +79,24 @@ std::vector<Detection> Network::forward(const Tensor& image, const Runtime& runt
     const std::vector<Region> regions = propose(seen, input.size, options.proposals);
 
     const DetectionOptions& heads = options.detection;
-    const Tensor pooled = pool_regions(levels, regions, heads.box_pool, input.size, heads, runtime);
+    std::vector<Tensor> scores, displacements;
+    in_portions(regions, [&](const std::vector<Region>& some) {
+        BoxHead::Result result = box_head.forward(
+            pool_regions(levels, some, heads.box_pool, input.size, heads, runtime), runtime);
+        scores.push_back(std::move(result.scores));
+        displacements.push_back(std::move(result.displacements));
+    });
     const std::vector<Found> found =
-        find_boxes(box_head.forward(pooled, runtime), regions, input.size, heads, runtime);
+        find_boxes({stacked(scores), stacked(displacements)}, regions, input.size, heads, runtime);
 
     std::vector<Region> boxes;
     for (const Found& f : found) boxes.push_back(f.box);
-    const Tensor masks = network::sigmoid(mask_head.forward(
-        pool_regions(levels, boxes, heads.mask_pool, input.size, heads, runtime), runtime));
+    std::vector<Tensor> seen_masks;
+    in_portions(boxes, [&](const std::vector<Region>& some) {
+        seen_masks.push_back(network::sigmoid(mask_head.forward(
+            pool_regions(levels, some, heads.mask_pool, input.size, heads, runtime), runtime)));
+    });
+    const Tensor masks = stacked(seen_masks);
 
     const float x = static_cast<float>(image.width()) / static_cast<float>(input.size.clip_width);
     const float y = static_cast<float>(image.height()) / static_cast<float>(input.size.clip_height);
