@@ -21,6 +21,8 @@ inline constexpr long max_image_pixels = 64'000'000;
 // and truncated files are errors. Throws Error(input) naming the file. A character's drawing.png may be
 // smaller than a page: min_side 1.
 RgbImage load_image(const std::filesystem::path& file, int min_side = min_image_side);
+// Turned clockwise by 0, 90, 180 or 270 degrees, no pixel lost; else Error(usage).
+RgbImage turned(RgbImage image, int degrees);
 // Loads a grey PNG that the pipeline wrote (mask, labels, skeleton), any size, values as stored; an editor
 // may have saved it with colour channels or a palette as long as every pixel is grey; fully transparent
 // pixels count as 0. Throws Error(input) naming the file.

@@ -60,6 +60,7 @@ struct Settings {
     std::filesystem::path weights;    // folder of segmenter.safetensors; empty: compiled in
     std::filesystem::path references; // folder of more reference skeletons; empty: none
     std::filesystem::path mapping;    // rig_folder: pairs as in mapping.json instead of matching; empty: match
+    int rotate = 0;                   // degrees by which a page is first turned clockwise: 0, 90, 180, 270
     int threads = 1;                  // results do not depend on it
     bool trace = false;               // intermediate products are written, too
     RenderRequest render;
@@ -77,7 +78,8 @@ struct PageCharacter {
 };
 struct Page {
     std::string source; // file name of the picture
-    int width = 0, height = 0;
+    int rotate = 0; // degrees by which the picture was first turned clockwise
+    int width = 0, height = 0; // after that
     std::string detector = "contour";
     std::vector<PageCharacter> characters;
 };

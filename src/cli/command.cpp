@@ -88,6 +88,11 @@ void add_detector_option(CLI::App& command, CommonOptions& options) {
         ->check(CLI::IsMember({"contour", "mask-rcnn"}));
 }
 
+void add_rotate_option(CLI::App& command, CommonOptions& options) {
+    command.add_option("--rotate", options.rotate, "turn the page clockwise first: 90, 180 or 270")
+        ->check(CLI::IsMember({0, 90, 180, 270}));
+}
+
 void add_render_options(CLI::App& command, RenderFlags& flags) {
     command.add_option("--clip", flags.clip, "a clip of the reference, or all")->capture_default_str();
     command.add_option("--fps", flags.fps, "frames per second, 1 to 100")->capture_default_str();
@@ -111,6 +116,7 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
             options.detector == "contour" ? Detector::contour : Detector::mask_rcnn;
     settings.weights = options.weights;
     settings.references = options.references;
+    settings.rotate = options.rotate;
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
     settings.threads = options.threads > 0 ? options.threads : static_cast<int>(std::min(cores, 256u));
     settings.trace = options.trace;

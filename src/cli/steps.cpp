@@ -27,6 +27,7 @@ void add_detect(CLI::App& app, Run& run) {
     CLI::App* command = app.add_subcommand("detect", "step 1: the page to characters");
     command->add_option("IMAGE", arguments->image, "PNG or JPEG page")->required();
     command->add_option("-o,--output", arguments->out, "folder for the results")->required();
+    add_rotate_option(*command, arguments->common);
     add_detector_option(*command, arguments->common);
     add_common_options(*command, arguments->common);
     command->callback([arguments, &run] { run = [arguments] { return run_detect(*arguments); }; });

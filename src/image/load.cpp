@@ -118,6 +118,21 @@ RgbImage apply_orientation(RgbImage stored, int orientation) {
 
 } // namespace
 
+RgbImage turned(RgbImage image, int degrees) {
+    switch (degrees) {
+    case 0:
+        return image;
+    case 90:
+        return apply_orientation(std::move(image), 6);
+    case 180:
+        return apply_orientation(std::move(image), 3);
+    case 270:
+        return apply_orientation(std::move(image), 8);
+    default:
+        throw Error(ErrorKind::usage, "an image can be turned by 0, 90, 180 or 270 degrees");
+    }
+}
+
 RgbImage load_image(const std::filesystem::path& file, int min_side) {
     const std::vector<unsigned char> bytes = read_file(file);
     const ContainerInfo info = check_container(file, bytes, min_side);

@@ -128,6 +128,7 @@ Candidate read_candidate(const JsonReader& reader, const SkeletonGraph& graph,
 std::string page_to_json(const Page& page) {
     Json json;
     json["source"] = page.source;
+    if (page.rotate != 0) json["rotate"] = page.rotate;
     json["width"] = page.width;
     json["height"] = page.height;
     json["detector"] = page.detector;
@@ -150,6 +151,7 @@ Page page_from_json(const std::string& text, const std::string& file) {
     const JsonReader reader(json, file);
     Page page;
     page.source = reader.at("source").text();
+    if (reader.has("rotate")) page.rotate = read_int(reader.at("rotate"), 0, 270);
     page.width = read_int(reader.at("width"), 1, max_side);
     page.height = read_int(reader.at("height"), 1, max_side);
     page.detector = reader.at("detector").text();

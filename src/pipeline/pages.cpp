@@ -67,7 +67,7 @@ DetectedPage run_detect(const fs::path& image, const fs::path& out, Workshop& wo
     const Detector detector = workshop.options().detection.detector;
     const CharacterFinder* finder = detector == Detector::mask_rcnn ? &workshop.finder() : nullptr;
     Detection detection = [&] {
-        const RgbImage page = load_image(image);
+        const RgbImage page = turned(load_image(image), workshop.settings().rotate);
         try {
             DetectionOptions options = workshop.options().detection;
             options.threads = workshop.settings().threads;
@@ -79,6 +79,7 @@ DetectedPage run_detect(const fs::path& image, const fs::path& out, Workshop& wo
     DetectedPage result;
     result.page.source = image.filename().string();
     result.page.detector = detector_names[static_cast<std::size_t>(detector)];
+    result.page.rotate = workshop.settings().rotate;
     result.page.width = detection.width;
     result.page.height = detection.height;
 

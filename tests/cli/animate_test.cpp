@@ -258,6 +258,22 @@ TEST_CASE("The steps one by one give the same bytes as animate", "[cli][end-to-e
     }
 }
 
+TEST_CASE("A page that lies on its side is turned by --rotate before anything else", "[cli]") {
+    const TemporaryFolder folder;
+    const RgbImage upright = load_image("testdata/humanoid.png");
+    save_png(folder / "side.png", turned(upright, 90));
+    const std::string sideways = (folder / "side.png").string(), out = (folder / "out").string(),
+                      wanted = (folder / "wanted").string();
+    REQUIRE(run_pantin({"detect", sideways, "--rotate", "270", "-o", out}).code == 0);
+    REQUIRE(run_pantin({"detect", "testdata/humanoid.png", "-o", wanted}).code == 0);
+    for (const std::string file : {"/character-1/drawing.png", "/character-1/mask.png"})
+        CHECK((read(out + file) == read(wanted + file)));
+    const Json page = json_of(fs::path(out) / "page.json");
+    CHECK(page["rotate"] == 270);
+    CHECK(page["width"] == upright.width());
+    CHECK(run_pantin({"detect", sideways, "--rotate", "45", "-o", out}).code == 2);
+}
+
 TEST_CASE("A second run replaces the characters of the first and leaves other files alone",
           "[cli][end-to-end]") {
     const TemporaryFolder folder;

@@ -127,6 +127,19 @@ TEST_CASE("A JPEG is read and turned as each of the 8 EXIF orientations says") {
     CHECK(load_image(folder.write("photo.jpg", with_orientation(jpeg, 0, true))).width() == 24);
 }
 
+TEST_CASE("A quarter turn clockwise brings the left column to the top") {
+    const RgbImage image = asymmetric_picture();
+    const RgbImage quarter = turned(image, 90);
+    REQUIRE(quarter.width() == image.height());
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) CHECK(quarter(image.height() - 1 - y, x) == image(x, y));
+    CHECK(turned(quarter, 90) == turned(image, 180));
+    CHECK(turned(quarter, 180) == turned(image, 270));
+    CHECK(turned(quarter, 270) == image);
+    CHECK(turned(image, 0) == image);
+    CHECK_THROWS_AS(turned(image, 45), Error);
+}
+
 TEST_CASE("An EXIF structure that is damaged anywhere never reads out of bounds") {
     const Bytes tiff{'I', 'I', 42, 0, 8, 0, 0, 0, 1, 0, 0x12, 1, 3, 0, 1, 0, 0, 0, 6, 0, 0, 0};
     CHECK(exif_orientation(tiff) == 6);
