@@ -13,6 +13,9 @@ namespace pantin {
 
 namespace {
 
+// The writer's setting is global; 5 instead of 8 takes half the time for files of the same size.
+[[maybe_unused]] const int compression = stbi_write_png_compression_level = 5;
+
 struct FreeBytes {
     void operator()(unsigned char* bytes) const { std::free(bytes); }
 };

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "pantin/network.hpp"
+
 namespace pantin::bench {
 
 struct Contender {
@@ -19,8 +21,15 @@ void compare(const std::string& title, const std::vector<Contender>& contenders,
 // Median time of a call in milliseconds.
 double median_time(const std::function<void()>& work, int rounds);
 
+// The fastest of the calls: for what is compared with a ceiling, and not with a contender in turns.
+double least_time(const std::function<void()>& work, int rounds);
+
+// Most fused multiply-adds of one thread, in GFLOP/s; 0 where it is not known how to ask.
+double fma_peak(network::Simd simd);
+
 void bench_steps(const std::string& page, int rounds);
 void bench_kernel(int rounds);
+void bench_segmenter(int rounds);
 void bench_graph_distance(int rounds);
 
 } // namespace pantin::bench

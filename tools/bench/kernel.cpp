@@ -24,6 +24,25 @@ network::Filters random_filters(int out, int in, Random& random) {
     return filters;
 }
 
+// Beside what the arithmetic units could do at most.
+void bench_throughput(int rounds, Random& random) {
+    constexpr int channels = 64, side = 128;
+    const network::Tensor input = random_tensor(channels, side, random);
+    network::ConvolutionOptions options;
+    options.padding = 1;
+    const network::Convolution convolution(random_filters(channels, channels, random), options);
+    std::printf("\nconvolution 3x3, %d to %d channels, %dx%d, one thread\n", channels, channels, side, side);
+    for (const network::Simd simd : {network::Simd::avx2, network::Simd::avx512}) {
+        if (!network::simd_supported(simd)) continue;
+        const network::Runtime runtime(1, simd);
+        const double time = least_time([&] { convolution.forward(input, runtime); }, 10 * rounds);
+        const double speed = 2e-6 * static_cast<double>(convolution.operations(side, side)) / time;
+        const double peak = fma_peak(simd);
+        std::printf("  %-10s %8.1f GFLOP/s, %.0f %% of the %.1f GFLOP/s of registers alone\n",
+                    std::string(network::name_of(simd)).c_str(), speed, 100 * speed / peak, peak);
+    }
+}
+
 } // namespace
 
 void bench_kernel(int rounds) {
@@ -46,6 +65,7 @@ void bench_kernel(int rounds) {
                   "convolution 3x3, %d to %d channels, %dx%d, %.0f million multiply-adds", channels, channels,
                   side, side, static_cast<double>(convolution.operations(side, side)) / 1e6);
     compare(title, contenders, rounds);
+    bench_throughput(rounds, random);
 }
 
 } // namespace pantin::bench

@@ -31,6 +31,12 @@ double median_time(const std::function<void()>& work, int rounds) {
     return median(times);
 }
 
+double least_time(const std::function<void()>& work, int rounds) {
+    double least = milliseconds(work);
+    for (int i = 1; i < rounds; ++i) least = std::min(least, milliseconds(work));
+    return least;
+}
+
 void compare(const std::string& title, const std::vector<Contender>& contenders, int rounds) {
     std::vector<std::vector<double>> times(contenders.size());
     for (int i = 0; i < rounds; ++i)
@@ -51,6 +57,7 @@ int main(int argc, char** argv) {
         const int rounds = argc > 2 ? std::max(1, std::atoi(argv[2])) : 5;
         pantin::bench::bench_steps(argc > 1 ? argv[1] : "testdata/demo.png", rounds);
         pantin::bench::bench_kernel(rounds);
+        pantin::bench::bench_segmenter(rounds);
         pantin::bench::bench_graph_distance(rounds);
         return 0;
     } catch (const std::exception& error) {
