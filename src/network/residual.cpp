@@ -13,6 +13,7 @@ Tensor ResidualBlock::forward(const Tensor& x, const Runtime& runtime) const {
 }
 
 Tensor forward(const std::vector<ResidualBlock>& blocks, const Tensor& x, const Runtime& runtime) {
+    if (blocks.empty()) return x;
     Tensor y = blocks[0].forward(x, runtime);
     for (std::size_t i = 1; i < blocks.size(); ++i) y = blocks[i].forward(y, runtime);
     return y;

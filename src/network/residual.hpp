@@ -18,6 +18,6 @@ struct ResidualBlock {
     int out_channels() const { return branch.back().out_channels(); }
 };
 
-Tensor forward(const std::vector<ResidualBlock>& blocks, const Tensor& x, const Runtime& runtime);
+Tensor forward(const std::vector<ResidualBlock>& blocks, const Tensor& x, const Runtime& runtime); // none: x
 
 } // namespace pantin::network

@@ -9,9 +9,10 @@
 namespace pantin::segmentation {
 namespace {
 
-constexpr int stages = 4;
+constexpr std::size_t stages = 4;
 constexpr int max_width = 4096; // channels of a layer
 constexpr int max_input = 2048; // side of the input
+constexpr int max_blocks = 64;  // of a stage, and their dilations
 constexpr int halvings = 1 << stages;
 
 std::vector<std::string> split(const std::string& text) {
@@ -25,20 +26,21 @@ std::vector<std::string> split(const std::string& text) {
     return items;
 }
 
-int read_number(const WeightFile& file, const std::string& key, const std::string& text, int max) {
+int read_number(const WeightFile& file, const std::string& key, const std::string& text, int min, int max) {
     int value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || value < 1 || value > max)
+    if (error != std::errc() || end != text.data() + text.size() || value < min || value > max)
         file.fail("metadata '" + key + "' has the impossible value '" + text + "'");
     return value;
 }
 
-std::vector<int> read_numbers(const WeightFile& file, const std::string& key, std::size_t count) {
+// count 0: any.
+std::vector<int> read_numbers(const WeightFile& file, const std::string& key, int min, int max, std::size_t count) {
     const std::vector<std::string> items = split(file.metadata(key));
-    if (items.size() != count)
+    if (count != 0 && items.size() != count)
         file.fail("metadata '" + key + "' needs " + std::to_string(count) + " numbers");
     std::vector<int> values;
-    for (const std::string& item : items) values.push_back(read_number(file, key, item, max_width));
+    for (const std::string& item : items) values.push_back(read_number(file, key, item, min, max));
     return values;
 }
 
@@ -71,11 +73,14 @@ network::Convolution read_convolution(const WeightFile& file, const std::string&
     return network::LayerReader{file}.convolution(conv, name + ".norm", shape.in, options);
 }
 
-Residual read_residual(const WeightFile& file, const std::string& name, int width, int dilation = 1) {
+ResidualBlock read_residual(const WeightFile& file, const std::string& name, int width, int dilation = 1) {
     const Shape shape{.in = width, .out = width, .dilation = dilation};
     Shape last = shape;
     last.relu = false; // comes after the sum
-    return {read_convolution(file, name + ".a", shape), read_convolution(file, name + ".b", last)};
+    ResidualBlock block;
+    block.branch.push_back(read_convolution(file, name + ".a", shape));
+    block.branch.push_back(read_convolution(file, name + ".b", last));
+    return block;
 }
 
 network::Linear read_linear(const WeightFile& file, const std::string& name, int in, int out) {
@@ -85,23 +90,33 @@ network::Linear read_linear(const WeightFile& file, const std::string& name, int
     return reader.linear(name, in);
 }
 
-Expert read_expert(const WeightFile& file, const std::string& name, const std::vector<int>& widths,
-                   const std::vector<int>& decoder) {
+// What the metadata says of the network's layers; the names are their keys.
+struct Layout {
+    std::vector<int> widths;   // channels of the stem's stages
+    std::vector<int> decoder;  // channels of the decoder's stages
+    std::vector<int> contexts; // dilations of the experts' blocks on the coarsest stage
+    std::vector<int> refine;   // number of blocks after each decoder stage
+};
+
+Expert read_expert(const WeightFile& file, const std::string& name, const Layout& layout) {
     network::ConvolutionOptions doubling;
     doubling.stride = 2;
     const network::LayerReader reader{file};
     if (reader.extent(name + ".logits.weight", 4, 1) != label_count || reader.extent(name + ".logits.weight", 4, 2) != 2 ||
         reader.extent(name + ".logits.weight", 4, 3) != 2)
         file.fail("tensor '" + name + ".logits.weight' does not make six labels at twice the size");
-    Expert expert{read_residual(file, name + ".context", widths.back(), 2),
-                  {},
-                  reader.transposed_convolution(name + ".logits", decoder.back(), doubling)};
-    int width = widths.back();
-    for (int i = 0; i < stages - 1; ++i) {
-        const int skip = widths[static_cast<std::size_t>(stages - 2 - i)],
-                  out = decoder[static_cast<std::size_t>(i)];
-        const std::string up = name + ".up" + std::to_string(stages - 1 - i);
-        expert.up.push_back({read_convolution(file, up, {.in = width + skip, .out = out})});
+    Expert expert{{}, {}, reader.transposed_convolution(name + ".logits", layout.decoder.back(), doubling)};
+    int width = layout.widths.back();
+    for (std::size_t i = 0; i < layout.contexts.size(); ++i)
+        expert.context.push_back(
+            read_residual(file, name + ".context." + std::to_string(i), width, layout.contexts[i]));
+    for (std::size_t i = 0; i < layout.decoder.size(); ++i) {
+        const int skip = layout.widths[stages - 2 - i], out = layout.decoder[i];
+        const std::string number = std::to_string(stages - 1 - i);
+        Expert::Stage stage{{read_convolution(file, name + ".up" + number, {.in = width + skip, .out = out})}, {}};
+        for (int k = 0; k < layout.refine[i]; ++k)
+            stage.refine.push_back(read_residual(file, name + ".refine" + number + "." + std::to_string(k), out));
+        expert.decoder.push_back(std::move(stage));
         width = out;
     }
     return expert;
@@ -111,20 +126,22 @@ Expert read_expert(const WeightFile& file, const std::string& name, const std::v
 
 Network load_network(const WeightFile& file) {
     expect(file, "model", "pantin.segmenter");
-    expect(file, "version", "1");
+    expect(file, "version", "2");
     expect(file, "labels", joined(label_names));
     expect(file, "poses", joined(pose_names));
-    const std::vector<int> widths = read_numbers(file, "widths", stages);
-    const std::vector<int> decoder = read_numbers(file, "decoder", stages - 1);
+    const Layout layout{read_numbers(file, "widths", 1, max_width, stages),
+                        read_numbers(file, "decoder", 1, max_width, stages - 1),
+                        read_numbers(file, "contexts", 1, max_blocks, 0),
+                        read_numbers(file, "refine", 0, max_blocks, stages - 1)};
 
     Network net;
-    net.input = read_number(file, "input", file.metadata("input"), max_input);
+    net.input = read_number(file, "input", file.metadata("input"), 1, max_input);
     if (net.input % halvings != 0)
         file.fail("metadata 'input' is no multiple of " + std::to_string(halvings));
     net.expert_names = split(file.metadata("experts"));
     int in = 1;
-    for (int i = 0; i < stages; ++i) {
-        const int out = widths[static_cast<std::size_t>(i)];
+    for (std::size_t i = 0; i < stages; ++i) {
+        const int out = layout.widths[i];
         const std::string number = std::to_string(i + 1);
         net.stem.down.push_back({read_convolution(
             file, "stem.down" + number, {.in = in, .out = out, .kernel = i == 0 ? 5 : 3, .stride = 2})});
@@ -134,10 +151,10 @@ Network load_network(const WeightFile& file) {
     const int experts = static_cast<int>(net.expert_names.size());
     net.router = std::make_unique<Router>(Router{read_linear(file, "router.linear", 2 * in, experts)});
     net.pose = std::make_unique<PoseHead>(
-        PoseHead{{read_convolution(file, "pose.conv", {.in = in, .out = decoder[0], .stride = 2})},
-                 read_linear(file, "pose.linear", decoder[0], static_cast<int>(pose_names.size()))});
+        PoseHead{{read_convolution(file, "pose.conv", {.in = in, .out = layout.decoder[0], .stride = 2})},
+                 read_linear(file, "pose.linear", layout.decoder[0], static_cast<int>(pose_names.size()))});
     for (const std::string& name : net.expert_names)
-        net.experts.push_back(read_expert(file, "experts." + name, widths, decoder));
+        net.experts.push_back(read_expert(file, "experts." + name, layout));
     return net;
 }
 

@@ -6,12 +6,6 @@
 
 namespace pantin::segmentation {
 
-Tensor Residual::forward(const Tensor& x, const Runtime& runtime) const {
-    Tensor y = b.forward(a.forward(x, runtime), runtime);
-    network::add_relu(y, x);
-    return y;
-}
-
 Features Stem::forward(const Tensor& ink, const Runtime& runtime) const {
     Features features;
     for (std::size_t i = 0; i < down.size(); ++i) {
@@ -36,11 +30,12 @@ Tensor PoseHead::forward(const Features& features, const Runtime& runtime) const
 }
 
 Tensor Expert::forward(const Features& features, const Runtime& runtime) const {
-    Tensor x = context.forward(features.stages.back(), runtime);
-    for (std::size_t i = 0; i < up.size(); ++i) {
+    Tensor x = network::forward(context, features.stages.back(), runtime);
+    for (std::size_t i = 0; i < decoder.size(); ++i) {
         const Tensor& skip = features.stages[features.stages.size() - 2 - i];
         const Tensor doubled = network::resize_bilinear(x, 2 * x.height(), 2 * x.width(), runtime);
-        x = up[i].forward(network::concatenate(doubled, skip), runtime);
+        x = decoder[i].up.forward(network::concatenate(doubled, skip), runtime);
+        x = network::forward(decoder[i].refine, x, runtime);
     }
     return network::softmax(logits.forward(x, runtime), runtime);
 }

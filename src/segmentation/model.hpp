@@ -13,10 +13,12 @@
 #include <string>
 #include <vector>
 
+#include "network/residual.hpp"
 #include "pantin/network.hpp"
 
 namespace pantin::segmentation {
 
+using network::ResidualBlock;
 using network::Runtime;
 using network::Tensor;
 using network::WeightFile;
@@ -27,20 +29,14 @@ struct Block {
     Tensor forward(const Tensor& x, const Runtime& runtime) const { return conv.forward(x, runtime); }
 };
 
-// relu(x + norm(conv_b(relu(norm(conv_a(x))))))
-struct Residual {
-    network::Convolution a, b;
-    Tensor forward(const Tensor& x, const Runtime& runtime) const;
-};
-
 // What the stages of the stem see, from fine to coarse.
 struct Features {
     std::vector<Tensor> stages; // [20, 128, 128], [40, 64, 64], [80, 32, 32], [112, 16, 16]
 };
 
 struct Stem {
-    std::vector<Block> down;   // each halves the resolution
-    std::vector<Residual> res; // one after each
+    std::vector<Block> down;        // each halves the resolution
+    std::vector<ResidualBlock> res; // one after each
     Features forward(const Tensor& ink, const Runtime& runtime) const;
 };
 
@@ -56,8 +52,13 @@ struct PoseHead {
 };
 
 struct Expert {
-    Residual context;      // dilation 2: sees the whole drawing
-    std::vector<Block> up; // from coarse to fine, each on the doubled map and the stem's stage
+    // From coarse to fine: a block on the doubled map and the stem's stage, and what refines it.
+    struct Stage {
+        Block up;
+        std::vector<ResidualBlock> refine;
+    };
+    std::vector<ResidualBlock> context; // dilated: sees the whole drawing
+    std::vector<Stage> decoder;
     network::TransposedConvolution logits;                                  // [6, 256, 256]
     Tensor forward(const Features& features, const Runtime& runtime) const; // probabilities
 };

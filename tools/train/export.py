@@ -51,12 +51,13 @@ def load(path, raw=False):
     """a Segmenter in evaluation mode, from a checkpoint of train.py or from a safetensors file."""
     if path.endswith(".safetensors"):
         tensors, facts = read_safetensors(path)
-        model = Segmenter(*(tuple(map(int, facts[key].split(","))) for key in ("widths", "decoder")), int(facts["input"]))
+        widths, decoder, contexts, refine = (tuple(map(int, facts[key].split(","))) for key in ("widths", "decoder", "contexts", "refine"))
+        model = Segmenter(widths, decoder, int(facts["input"]), contexts, refine)
         state = {name: torch.from_numpy(value.copy()) for name, value in tensors.items()}
         model.load_state_dict(state, strict=False)
     else:
         checkpoint = torch.load(path, map_location="cpu")
-        model = Segmenter(checkpoint["widths"], checkpoint["decoder"], checkpoint["size"])
+        model = Segmenter(*(checkpoint[key] for key in ("widths", "decoder", "size", "contexts", "refine")))
         model.load_state_dict(checkpoint["model" if raw else "average"])
     return model.eval()
 
@@ -64,7 +65,7 @@ def load(path, raw=False):
 def fixture(weights, expected):
     """tiny widths, random weights and statistics; one input (48 x 48) and what both experts, the router and the pose head say."""
     torch.manual_seed(7)
-    model = Segmenter((4, 6, 8, 10), (8, 6, 4), 48)
+    model = Segmenter((4, 6, 8, 10), (8, 6, 4), 48, (2, 4), (1, 2, 0))
     generator = torch.Generator().manual_seed(8)
     for name, value in model.state_dict().items():
         if name.endswith(("running_var", "norm.weight")):

@@ -14,6 +14,8 @@ POSES = ["E", "NE", "N", "NW", "W", "SW", "S", "SE"]
 INPUT = 256
 WIDTHS = (20, 40, 80, 112)
 DECODER = (64, 40, 20)
+CONTEXTS = (2, 4)      # dilations of the residual blocks on the coarsest stage
+REFINE = (1, 1, 0)     # residual blocks after each decoder stage
 
 
 class Block(nn.Module):
@@ -88,18 +90,21 @@ class Logits(nn.Module):
 
 
 class Expert(nn.Module):
-    def __init__(self, widths, decoder):
+    def __init__(self, widths, decoder, contexts, refine):
         super().__init__()
-        self.context = Residual(widths[3], dilation=2)
+        self.context = nn.Sequential(*(Residual(widths[3], dilation) for dilation in contexts))
         self.up3 = Block(widths[3] + widths[2], decoder[0])
         self.up2 = Block(decoder[0] + widths[1], decoder[1])
         self.up1 = Block(decoder[1] + widths[0], decoder[2])
+        for stage, (width, count) in enumerate(zip(decoder, refine)):
+            setattr(self, f"refine{3 - stage}", nn.Sequential(*(Residual(width) for _ in range(count))))
         self.logits = Logits(decoder[2], len(LABELS))
 
     def forward(self, features):
         x = self.context(features[3])
-        for up, skip in ((self.up3, features[2]), (self.up2, features[1]), (self.up1, features[0])):
-            x = up(torch.cat([double(x), skip], 1))
+        for up, refine, skip in ((self.up3, self.refine3, features[2]), (self.up2, self.refine2, features[1]),
+                                 (self.up1, self.refine1, features[0])):
+            x = refine(up(torch.cat([double(x), skip], 1)))
         return self.logits(x)
 
 
@@ -123,13 +128,14 @@ class Pose(nn.Module):
 
 
 class Segmenter(nn.Module):
-    def __init__(self, widths=WIDTHS, decoder=DECODER, size=INPUT):
+    def __init__(self, widths=WIDTHS, decoder=DECODER, size=INPUT, contexts=CONTEXTS, refine=REFINE):
         super().__init__()
         self.widths, self.decoder, self.size = tuple(widths), tuple(decoder), size
+        self.contexts, self.refine = tuple(contexts), tuple(refine)
         self.stem = Stem(widths)
         self.router = Router(widths[3])
         self.pose = Pose(widths[3], decoder[0])
-        self.experts = nn.ModuleDict({name: Expert(widths, decoder) for name in EXPERTS})
+        self.experts = nn.ModuleDict({name: Expert(widths, decoder, contexts, refine) for name in EXPERTS})
 
     def forward(self, ink, experts=None):
         """ink (n,1,h,w) -> part logits, router logits, pose logits.
@@ -146,7 +152,21 @@ class Segmenter(nn.Module):
         return parts, router, pose
 
 
+def widen(state, model):
+    """the state dictionary of a model with fewer blocks, for `model`: the new blocks begin as the identity, so that training goes on
+    where it was."""
+    result = dict(model.state_dict())
+    for name, value in state.items():                            # a single context block was no sequence
+        result[name.replace(".context.a.", ".context.0.a.").replace(".context.b.", ".context.0.b.")] = value
+    for name in result:
+        if name.endswith(".b.norm.weight") and name not in state and name.replace(".context.0.", ".context.") not in state:
+            result[name] = torch.zeros_like(result[name])
+    return result
+
+
 def metadata(model):
-    return {"model": "pantin.segmenter", "version": "1", "input": str(model.size), "widths": ",".join(map(str, model.widths)),
-            "decoder": ",".join(map(str, model.decoder)), "experts": ",".join(EXPERTS), "labels": ",".join(LABELS),
+    def listed(numbers):
+        return ",".join(map(str, numbers))
+    return {"model": "pantin.segmenter", "version": "2", "input": str(model.size), "widths": listed(model.widths),
+            "decoder": listed(model.decoder), "contexts": listed(model.contexts), "refine": listed(model.refine), "experts": ",".join(EXPERTS), "labels": ",".join(LABELS),
             "poses": ",".join(POSES)}

@@ -55,6 +55,16 @@ def turned(ink, mask, side, angle, rng):
     return ink[box], mask[box]
 
 
+def fitting(ink, mask, side, angle, w, h, rng):
+    """turned, and smaller until it fits a page of w x h."""
+    while side > 8:
+        drawing = turned(ink, mask, side, angle, rng)
+        if drawing is None or (drawing[1].shape[0] < h and drawing[1].shape[1] < w):
+            return drawing
+        side *= 0.9
+    return None
+
+
 def stray_marks(page, free, rng):
     """marks that are no character: dashes, scribbles, ruled lines; only where no character is."""
     h, w = page.shape
@@ -80,14 +90,12 @@ def compose(shards, rng, longer=LONGER, clean=False):
     if clean:
         count = 1
     for _ in range(count):
-        largest = 0.95 if count == 1 else 0.75 if count == 2 else 0.55
-        drawing = turned(*character(shards, rng), min(w, h) * rng.uniform(0.22, largest), 0 if clean else random_angle(rng), rng)
+        largest = 1.5 if count == 1 else 0.9 if count == 2 else 0.55       # alone it may fill the page
+        drawing = fitting(*character(shards, rng), min(w, h) * rng.uniform(0.22, largest), 0 if clean else random_angle(rng), w, h, rng)
         if drawing is None:
             continue
         ink, mask = drawing
         a, b = mask.shape
-        if a >= h or b >= w:
-            continue
         near = cv2.dilate(np.pad((mask | (ink > 40)).astype(np.uint8), 4), np.ones((3, 3), np.uint8), iterations=int(rng.integers(1, 4)))
         for _ in range(25):
             y, x = int(rng.integers(0, h - a)), int(rng.integers(0, w - b))

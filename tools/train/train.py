@@ -2,6 +2,7 @@
 """Trains the segmentation network on shards (dataset.py), on the processor, within a given time.
 
 usage: train.py SHARDS OUT --minutes M [--resume CHECKPOINT] [--rate 2e-3] [--batch 16] [--size 256] [--seed 1] [--share source=weight ...]
+                [--start CHECKPOINT]       (weights alone, into a network that may have more blocks)
 AdamW; the rate climbs for 2 %, stays until half of the time and falls along a cosine to zero at its end. Writes OUT/last.pt every few
 minutes (model, moving average of the weights, optimiser, step) and one line per 50 steps on stdout.
 """
@@ -10,7 +11,7 @@ import torch.nn.functional as F
 
 import dataset
 import loop
-from model import EXPERTS, INPUT, LABELS, Segmenter
+from model import EXPERTS, INPUT, LABELS, Segmenter, widen
 
 SHARES = {"label_maps": 0.36, "strokes": 0.24, "spg": 0.12, "doodle": 0.28}
 IGNORE = dataset.UNKNOWN
@@ -47,15 +48,19 @@ def main():
     def more(parser):
         parser.add_argument("--size", type=int, default=INPUT, help="side of the training images: small ones first, the input last")
         parser.add_argument("--share", nargs="*", default=[])
+        parser.add_argument("--start")
     args = loop.parse(__doc__, 2e-3, 16, more)
     shares = {**SHARES, **{k: float(v) for k, v in (s.split("=") for s in args.share)}}
     shards = dataset.Shards(args.shards, shares)
-    model = Segmenter(size=args.size).to(memory_format=torch.channels_last)
+    model = Segmenter(size=args.size)
+    if args.start:
+        model.load_state_dict(widen(torch.load(args.start)["average"], model))
+    model = model.to(memory_format=torch.channels_last)
 
     def losses_of(model, rng):
         ink, *truth = dataset.batch(shards, args.batch, rng, args.size)
         return {"loss": loss_of(model, torch.from_numpy(ink), *(torch.from_numpy(t).long() for t in truth))}
-    facts = {"widths": model.widths, "decoder": model.decoder, "size": model.size}
+    facts = {key: getattr(model, key) for key in ("widths", "decoder", "size", "contexts", "refine")}
     loop.train(model, losses_of, args, weight_decay=0.02, clip=2.0, decay=0.998, report=50, facts=facts, after_report=shards.refresh)
 
 

@@ -20,8 +20,7 @@ int scaled_size(int size, double share) { return static_cast<int>(std::floor((si
 
 Tensor Trunk::forward(const Tensor& image, const Runtime& runtime) const {
     Tensor x = network::max_pool(stem.forward(image, runtime), 3, 2, 1, true); // [64, 81, 81]
-    for (const std::vector<network::ResidualBlock>& layer : layers)
-        if (!layer.empty()) x = network::forward(layer, x, runtime);
+    for (const std::vector<network::ResidualBlock>& layer : layers) x = network::forward(layer, x, runtime);
     return x;
 }
 
