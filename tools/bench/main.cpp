@@ -1,9 +1,11 @@
 // make bench: the time of each step on a page, and of the kernels beside their baselines.
 // Usage: bench [PAGE [ROUNDS]]
+//        bench segmenter [ROUNDS]      the segmentation network alone (against_torch.py calls it in turns with PyTorch)
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 
 #include "bench.hpp"
@@ -55,6 +57,10 @@ void compare(const std::string& title, const std::vector<Contender>& contenders,
 int main(int argc, char** argv) {
     try {
         const int rounds = argc > 2 ? std::max(1, std::atoi(argv[2])) : 5;
+        if (argc > 1 && std::strcmp(argv[1], "segmenter") == 0) {
+            pantin::bench::bench_segmenter(rounds);
+            return 0;
+        }
         pantin::bench::bench_steps(argc > 1 ? argv[1] : "testdata/demo.png", rounds);
         pantin::bench::bench_kernel(rounds);
         pantin::bench::bench_segmenter(rounds);
