@@ -61,13 +61,19 @@ struct SegmentationOptions {
     // Thesis ch. 5: grey erosion of photographs, so that strokes are as thick and sharp as in the training
     // data: the darkest value of the 3×3 neighbourhood at the network's resolution.
     bool grey_erosion = false;
-    // Probabilities are the means of those of the drawing and of its mirror image. `thesis`: one look.
+    // Probabilities are means over several looks at the drawing: with its mirror image, and tilted by so many degrees to
+    // either side (0: not). A look counts exp(sharpness · mean probability of the parts that it sees). `thesis`: one look.
     bool mirror = true;
+    double tilt = 20, sharpness = 30;
+    // A drawing in which even the surest look is less sure is no character (a scribble). Of 91 real characters the least
+    // sure has 0.87, of 40 scribbles the median. `thesis`: 0.
+    double least_sureness = 0.86;
     SilhouetteOptions silhouette;
 };
 
 struct Segmentation {
     std::string expert; // the expert that the router chose
+    double sureness = 0; // mean probability of the most probable part, over the foreground of the surest look
     std::vector<std::pair<std::string, double>>
         router;                             // expert → probability, in the order of the weight file
     std::array<double, 8> pose{};           // probability per pose_names

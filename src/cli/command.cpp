@@ -84,7 +84,7 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
 }
 
 void add_detector_option(CLI::App& command, CommonOptions& options) {
-    command.add_option("--detector", options.detector, "contour or mask-rcnn")
+    command.add_option("--detector", options.detector, "mask-rcnn (default) or contour")
         ->check(CLI::IsMember({"contour", "mask-rcnn"}));
 }
 

@@ -51,6 +51,9 @@ template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visi
 template <class Visitor> void visit_segmentation(SegmentationOptions& o, Visitor& visit) {
     visit("segmentation.grey_erosion", o.grey_erosion);
     visit("segmentation.mirror", o.mirror);
+    visit("segmentation.tilt", o.tilt, 0, 90);
+    visit("segmentation.sharpness", o.sharpness, 0, 1000);
+    visit("segmentation.least_sureness", o.least_sureness, 0, 1);
     visit("segmentation.fill_probability", o.silhouette.fill_probability, 0, 1);
     visit("segmentation.keep_probability", o.silhouette.keep_probability, 0, 1);
     visit("segmentation.open_share", o.silhouette.open_share, 0, 1);
@@ -192,6 +195,8 @@ Options make_preset(std::string_view name) {
                     "--preset: there is no preset '" + std::string(name) + "' (default, thesis)");
     options.detection.working_size = 321;             // ch. 5: the network's input
     options.segmentation.mirror = false;              // 4.3: one look at the drawing
+    options.segmentation.tilt = 0;
+    options.segmentation.least_sureness = 0;          // 4.3: whatever was detected is a character
     options.segmentation.silhouette.rim = 0;          // 4.2: the detector's mask
     options.skeletonization.residual = Residual::arc; // 3.4, ERRATA 1
     options.skeletonization.recover_parts_share = 0;

@@ -16,6 +16,9 @@ void run_segment(Character& character, Workshop& workshop) {
     save_png(character.folder / "labels.png", result.labels);
     write_file(character.folder / "segmentation.json", segmentation_to_json(result));
     character.labels = std::move(result.labels);
+    // The files are there: whoever knows better corrects labels.png and goes on with the next step.
+    if (result.sureness < options.least_sureness)
+        throw CharacterRejected("segment", "the network is not sure of any parts: no character?");
 }
 
 void run_skeletonize(Character& character, Workshop& workshop) {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "pantin/segmentation.hpp"
-
 namespace pantin::segmentation {
 
 Features Stem::forward(const Tensor& ink, const Runtime& runtime) const {
@@ -40,45 +38,16 @@ Tensor Expert::forward(const Features& features, const Runtime& runtime) const {
     return network::softmax(logits.forward(x, runtime), runtime);
 }
 
-namespace {
-
-void take_mean(Tensor& a, const Tensor& b) {
-    std::transform(a.begin(), a.end(), b.begin(), a.begin(), [](float x, float y) { return 0.5f * (x + y); });
-}
-
-// Directions of a mirrored drawing as those of the drawing: E and W exchange, N and S stay.
-Tensor mirrored_pose(const Tensor& pose) {
-    Tensor result = pose;
-    for (std::size_t i = 0; i < pose_names.size(); ++i) {
-        std::string name = pose_names[i];
-        for (char& c : name) c = c == 'E' ? 'W' : c == 'W' ? 'E' : c;
-        const auto other = std::find(pose_names.begin(), pose_names.end(), name) - pose_names.begin();
-        result.begin()[other] = pose.begin()[i];
-    }
-    return result;
-}
-
-} // namespace
-
-NetworkResult Network::forward(const Tensor& ink, const Runtime& runtime, int expert, bool mirror) const {
+NetworkResult Network::forward(const Tensor& ink, const Runtime& runtime, int expert) const {
     NetworkResult result;
     const Features features = stem.forward(ink, runtime);
-    const Features other = mirror ? stem.forward(network::mirrored(ink), runtime) : Features{};
     result.router = router->forward(features, runtime);
     result.pose = pose->forward(features, runtime);
-    if (mirror) {
-        take_mean(result.router, router->forward(other, runtime));
-        take_mean(result.pose, mirrored_pose(pose->forward(other, runtime)));
-    }
     result.expert = expert;
-    if (expert < 0) {
-        result.expert = 0;
-        for (int e = 1; e < result.router.channels(); ++e)
-            if (result.router(0, e, 0, 0) > result.router(0, result.expert, 0, 0)) result.expert = e;
-    }
-    const Expert& chosen = experts[static_cast<std::size_t>(result.expert)];
-    result.parts = chosen.forward(features, runtime);
-    if (mirror) take_mean(result.parts, network::mirrored(chosen.forward(other, runtime)));
+    if (expert < 0)
+        result.expert = static_cast<int>(std::max_element(result.router.begin(), result.router.end()) -
+                                         result.router.begin());
+    result.parts = experts[static_cast<std::size_t>(result.expert)].forward(features, runtime);
     return result;
 }
 

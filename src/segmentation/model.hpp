@@ -66,6 +66,7 @@ struct Expert {
 struct NetworkResult {
     Tensor router, pose, parts; // probabilities
     int expert = 0;             // the most probable one; the first among equals
+    double sureness = 0;        // of several looks (views.hpp)
 };
 
 struct Network {
@@ -76,9 +77,8 @@ struct Network {
     std::unique_ptr<PoseHead> pose;
     std::vector<Expert> experts;
 
-    // ink: [1, 1, input, input], 0 paper, 1 ink. expert −1: the router decides. mirror: all probabilities are the
-    // means of those of the drawing and of its mirror image.
-    NetworkResult forward(const Tensor& ink, const Runtime& runtime, int expert = -1, bool mirror = false) const;
+    // ink: [1, 1, input, input], 0 paper, 1 ink. expert −1: the router decides.
+    NetworkResult forward(const Tensor& ink, const Runtime& runtime, int expert = -1) const;
 };
 
 // Throws Error(weights) naming the file and the fact.

@@ -5,6 +5,7 @@
 #include "segmentation/letterbox.hpp"
 #include "segmentation/model.hpp"
 #include "segmentation/silhouette.hpp"
+#include "segmentation/views.hpp"
 
 namespace pantin {
 
@@ -27,9 +28,11 @@ Segmentation Segmenter::segment(const RgbImage& drawing, const Mask& mask,
     // 1. The network sees how dark the ink is, in its own square.
     const Grid<float> ink = ink_darkness(drawing);
     const segmentation::NetworkResult seen =
-        net.forward(segmentation::to_input(ink, net.input, options.grey_erosion), runtime, -1, options.mirror);
+        segmentation::look(net, segmentation::to_input(ink, net.input, options.grey_erosion),
+                           {options.mirror, options.tilt, options.sharpness}, runtime);
 
     Segmentation result;
+    result.sureness = seen.sureness;
     result.expert = net.expert_names[static_cast<std::size_t>(seen.expert)];
     for (std::size_t e = 0; e < net.expert_names.size(); ++e)
         result.router.emplace_back(net.expert_names[e], seen.router(0, static_cast<int>(e), 0, 0));

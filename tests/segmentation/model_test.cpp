@@ -12,6 +12,9 @@
 #include "support/weight_files.hpp"
 
 namespace pantin::segmentation {
+
+using network::largest_difference;
+
 namespace {
 
 using Bytes = std::vector<unsigned char>;
@@ -32,16 +35,6 @@ Tensor tensor_of(const WeightFile& file, const std::string& name) {
 }
 
 // Largest difference, relative to the larger of the value and one hundredth.
-double largest_difference(const Tensor& a, const Tensor& b) {
-    REQUIRE(a.same_shape(b));
-    double largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        const double x = a.data()[i], y = b.data()[i];
-        largest = std::max(largest, std::abs(x - y) / std::max(0.01, std::abs(y)));
-    }
-    return largest;
-}
-
 Bytes with_header_text(const std::string& from, const std::string& to) { return with_text(weights(), from, to); }
 
 std::string failure(const Bytes& bytes) {
@@ -81,24 +74,6 @@ TEST_CASE("The network's bits depend neither on threads nor on the instruction s
             CHECK(same_bits(result.parts, first.parts));
         }
     }
-}
-
-TEST_CASE("With its mirror image a drawing and its mirror image get mirrored answers") {
-    const Network net = tiny_network();
-    Random random(5);
-    Tensor ink(1, 1, net.input, net.input);
-    for (float& value : ink) value = static_cast<float>(random.uniform());
-    const Tensor image = network::mirrored(ink);
-    CHECK(same_bits(network::mirrored(image), ink));
-    CHECK(image(0, 0, 3, 1) == ink(0, 0, 3, net.input - 2));
-    const NetworkResult one = net.forward(ink, Runtime(), -1, true), other = net.forward(image, Runtime(), -1, true);
-    CHECK(one.expert == other.expert);
-    CHECK(same_bits(network::mirrored(one.parts), other.parts));
-    CHECK(one.pose(0, 0, 0, 0) == other.pose(0, 4, 0, 0)); // E and W
-    CHECK(one.pose(0, 2, 0, 0) == other.pose(0, 2, 0, 0)); // N
-    CHECK(one.pose(0, 1, 0, 0) == other.pose(0, 3, 0, 0)); // NE and NW
-    const NetworkResult plain = net.forward(ink, Runtime(), one.expert);
-    CHECK_FALSE(same_bits(plain.parts, one.parts));
 }
 
 TEST_CASE("The router chooses the more probable expert") {

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "core/random.hpp"
 #include "pantin/network.hpp"
@@ -27,6 +29,17 @@ inline bool same_bits(const Tensor& a, const Tensor& b) {
     return a.same_shape(b) && std::equal(a.begin(), a.end(), b.begin(), [](float x, float y) {
                return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
            });
+}
+
+// Relative, but of values below 0.01 the hundredfold absolute difference; infinite for different shapes.
+inline double largest_difference(const Tensor& a, const Tensor& b) {
+    if (!a.same_shape(b)) return std::numeric_limits<double>::infinity();
+    double largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double x = a.data()[i], y = b.data()[i];
+        largest = std::max(largest, std::abs(x - y) / std::max(0.01, std::abs(y)));
+    }
+    return largest;
 }
 
 // `weights` per filter pair: out·in/groups·height·width in all, in either layout.

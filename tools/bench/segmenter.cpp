@@ -1,7 +1,7 @@
-// The shipped segmentation network alone, without and with the mirror image, on one thread and two.
+// The shipped segmentation network alone, one look and the six of the default, on one thread and two.
 #include "bench.hpp"
 #include "core/resources.hpp"
-#include "segmentation/model.hpp"
+#include "segmentation/views.hpp"
 
 namespace pantin::bench {
 
@@ -13,8 +13,8 @@ void bench_segmenter(int rounds) {
     compare("segmentation network, forward",
             {{"one thread", [&] { net.forward(ink, one); }},
              {"two threads", [&] { net.forward(ink, two); }},
-             {"one thread, with the mirror image", [&] { net.forward(ink, one, -1, true); }},
-             {"two threads, with the mirror image", [&] { net.forward(ink, two, -1, true); }}},
+             {"one thread, six looks", [&] { segmentation::look(net, ink, {true, 20, 30}, one); }},
+             {"two threads, six looks", [&] { segmentation::look(net, ink, {true, 20, 30}, two); }}},
             5 * rounds);
 }
 
