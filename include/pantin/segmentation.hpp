@@ -65,14 +65,15 @@ struct SegmentationOptions {
     // either side (0: not). A look counts exp(sharpness · mean probability of the parts that it sees). `thesis`: one look.
     bool mirror = true;
     double tilt = 20, sharpness = 30;
-    // A drawing in which even the surest look is less sure is no character (a scribble). Of 91 real characters the least
-    // sure has 0.87, of 40 scribbles the median. `thesis`: 0.
-    double least_sureness = 0.86;
+    // A drawing of which even the surest look is less sure, and whose strokes are longer than its outline by this factor, is
+    // a scribble and no character. (An outline with gaps makes the network unsure, too.) `thesis`: least_sureness 0.
+    double least_sureness = 0.86, scribble_ratio = 1.2;
     SilhouetteOptions silhouette;
 };
 
 struct Segmentation {
     std::string expert; // the expert that the router chose
+    double stroke_ratio = 0; // length of the strokes over that of the silhouette's border: 1 for a plain outline
     double sureness = 0; // mean probability of the most probable part, over the foreground of the surest look
     std::vector<std::pair<std::string, double>>
         router;                             // expert → probability, in the order of the weight file

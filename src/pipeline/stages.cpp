@@ -17,8 +17,8 @@ void run_segment(Character& character, Workshop& workshop) {
     write_file(character.folder / "segmentation.json", segmentation_to_json(result));
     character.labels = std::move(result.labels);
     // The files are there: whoever knows better corrects labels.png and goes on with the next step.
-    if (result.sureness < options.least_sureness)
-        throw CharacterRejected("segment", "the network is not sure of any parts: no character?");
+    if (result.sureness < options.least_sureness && result.stroke_ratio > options.scribble_ratio)
+        throw CharacterRejected("segment", "looks like a scribble: many strokes, and no part that the network is sure of");
 }
 
 void run_skeletonize(Character& character, Workshop& workshop) {

@@ -1,4 +1,6 @@
 // The step: the crop through the network, the silhouette, the labels.
+#include <algorithm>
+
 #include "pantin/error.hpp"
 #include "pantin/image.hpp"
 #include "pantin/segmentation.hpp"
@@ -8,6 +10,28 @@
 #include "segmentation/views.hpp"
 
 namespace pantin {
+
+namespace {
+
+// Pixels of the region with a 4-neighbour outside of it.
+long border_length(const Mask& region) {
+    long count = 0;
+    for (int y = 0; y < region.height(); ++y)
+        for (int x = 0; x < region.width(); ++x)
+            count += region(x, y) && !(region.value_or(x - 1, y, 0) && region.value_or(x + 1, y, 0) &&
+                                       region.value_or(x, y - 1, 0) && region.value_or(x, y + 1, 0));
+    return count;
+}
+
+// Half of the ink's border is its strokes' length.
+double stroke_ratio(const Grid<float>& ink, const Mask& silhouette) {
+    Mask strokes(ink.width(), ink.height());
+    std::transform(ink.begin(), ink.end(), strokes.begin(), [](float darkness) { return darkness >= 1.0f / 3; });
+    const long outline = border_length(silhouette);
+    return outline == 0 ? 0 : 0.5 * static_cast<double>(border_length(strokes)) / static_cast<double>(outline);
+}
+
+} // namespace
 
 struct Segmenter::Model {
     segmentation::Network network;
@@ -47,8 +71,10 @@ Segmentation Segmenter::segment(const RgbImage& drawing, const Mask& mask,
         probabilities.push_back(resize(plane, mask.width(), mask.height()));
     Grid<float> foreground = probabilities[0];
     for (float& p : foreground) p = 1 - p;
-    const Mask silhouette = segmentation::decide_silhouette(
-        mask, foreground, resize(ink, mask.width(), mask.height()), options.silhouette);
+    const Grid<float> working_ink = resize(ink, mask.width(), mask.height());
+    const Mask silhouette =
+        segmentation::decide_silhouette(mask, foreground, working_ink, options.silhouette);
+    result.stroke_ratio = stroke_ratio(working_ink, silhouette);
     result.labels = segmentation::label_parts(silhouette, probabilities, options.silhouette);
     return result;
 }
