@@ -85,6 +85,12 @@ Mask foreground(const LabelMap& labels);
 Mask pad(const Mask& mask, int margin);
 Mask unpad(const Mask& mask, int margin);
 
+// Whether the pixel belongs to the mask and one of its 4-neighbours does not; outside is background.
+inline bool on_border(const Mask& mask, int x, int y) {
+    return mask(x, y) && !(mask.value_or(x - 1, y, 0) && mask.value_or(x + 1, y, 0) && mask.value_or(x, y - 1, 0) &&
+                           mask.value_or(x, y + 1, 0));
+}
+
 // Morphology with a (2·radius+1)² square or with the discrete disc of that radius (all pixels whose centre is
 // at most `radius` away); outside is background. A closing does not lose pixels at the image's border.
 Mask dilate_square(const Mask& mask, int radius);

@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "animation/vector.hpp"
+#include "core/math.hpp"
 #include "pantin/animation.hpp"
 
 namespace pantin {
@@ -134,10 +135,6 @@ private:
     Grid<Texel> texels_;
 };
 
-std::int64_t floor_div(std::int64_t a, std::int64_t b) { // b > 0
-    return a >= 0 ? a / b : -((-a + b - 1) / b);
-}
-
 class Rasteriser {
 public:
     Rasteriser(int width, int height)
@@ -210,17 +207,17 @@ private:
         void clip(Span& span, int row) const {
             const std::int64_t first = at(0, row) + bias;
             if (step() > 0) // first + x · step ≥ 0
-                span.begin = static_cast<int>(std::max<std::int64_t>(span.begin, -floor_div(first, step())));
+                span.begin = static_cast<int>(std::max<std::int64_t>(span.begin, -math::floor_divide(first, step())));
             else if (step() < 0)
-                span.end = static_cast<int>(std::min<std::int64_t>(span.end, floor_div(first, -step()) + 1));
+                span.end = static_cast<int>(std::min<std::int64_t>(span.end, math::floor_divide(first, -step()) + 1));
             else if (first < 0)
                 span.end = span.begin;
         }
     };
 
     static Span sample_range(std::int64_t low, std::int64_t high, int size) {
-        return {static_cast<int>(std::clamp<std::int64_t>(floor_div(low, subsamples), 0, size)),
-                static_cast<int>(std::clamp<std::int64_t>(floor_div(high, subsamples) + 1, 0, size))};
+        return {static_cast<int>(std::clamp<std::int64_t>(math::floor_divide(low, subsamples), 0, size)),
+                static_cast<int>(std::clamp<std::int64_t>(math::floor_divide(high, subsamples) + 1, 0, size))};
     }
 
     void shade(int x, int y, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, double p,

@@ -89,9 +89,7 @@ void trim_paper(Mask& inside, const Grid<float>& darkness, double reach) {
     const Mask before = inside;
     for (int y = 0; y < inside.height(); ++y)
         for (int x = 0; x < inside.width(); ++x)
-            if (before(x, y) && (!before.value_or(x - 1, y, 0) || !before.value_or(x + 1, y, 0) ||
-                                 !before.value_or(x, y - 1, 0) || !before.value_or(x, y + 1, 0)))
-                cut(x, y);
+            if (on_border(before, x, y)) cut(x, y);
     while (!queue.empty()) {
         const Point2i p = queue.front();
         queue.pop();

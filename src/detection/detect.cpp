@@ -94,10 +94,7 @@ double inked_share(const Mask& silhouette, const Mask& ink) {
     int border = 0, inked = 0;
     for (int y = 0; y < silhouette.height(); ++y) {
         for (int x = 0; x < silhouette.width(); ++x) {
-            if (!silhouette(x, y)) continue;
-            if (silhouette.value_or(x - 1, y, 0) && silhouette.value_or(x + 1, y, 0) &&
-                silhouette.value_or(x, y - 1, 0) && silhouette.value_or(x, y + 1, 0))
-                continue;
+            if (!on_border(silhouette, x, y)) continue;
             ++border;
             inked += near(x, y);
         }

@@ -48,9 +48,7 @@ std::vector<Point2i> border_pixels(const Mask& ink) {
     std::vector<Point2i> points;
     for (int y = 0; y < ink.height(); ++y)
         for (int x = 0; x < ink.width(); ++x)
-            if (ink(x, y) && !(ink.value_or(x - 1, y, 0) && ink.value_or(x + 1, y, 0) &&
-                               ink.value_or(x, y - 1, 0) && ink.value_or(x, y + 1, 0)))
-                points.push_back({x, y});
+            if (on_border(ink, x, y)) points.push_back({x, y});
     return points;
 }
 

@@ -8,16 +8,12 @@
 
 #include <cmath>
 
+#include "core/math.hpp"
 #include "pantin/image.hpp"
 
 namespace pantin {
 
 namespace {
-
-std::int64_t floor_divide(std::int64_t a, std::int64_t b) { // b > 0
-    const std::int64_t q = a / b;
-    return q - (a % b != 0 && a < 0);
-}
 
 // Lower envelope of the parabolas f_i(x) = scale·(x − i)² + height_i, i = first … last, on the same integers.
 // owner(x) = the i with the smallest f_i(x), the smallest such i among equals.
@@ -42,7 +38,7 @@ public:
             }
             const std::int64_t u = parabolas_[top], j = i;
             // Last x at which u is at most as high as i.
-            const std::int64_t until = floor_divide(
+            const std::int64_t until = math::floor_divide(
                 scale * (j * j - u * u) + height[i] - height[parabolas_[top]], 2 * scale * (j - u));
             if (until < last) {
                 ++top;

@@ -4,6 +4,10 @@
 
 namespace pantin::segmentation {
 
+int most_probable(const Tensor& router) {
+    return static_cast<int>(std::max_element(router.begin(), router.end()) - router.begin());
+}
+
 Features Stem::forward(const Tensor& ink, const Runtime& runtime) const {
     Features features;
     for (std::size_t i = 0; i < down.size(); ++i) {
@@ -44,9 +48,7 @@ NetworkResult Network::forward(const Tensor& ink, const Runtime& runtime, int ex
     result.router = router->forward(features, runtime);
     result.pose = pose->forward(features, runtime);
     result.expert = expert;
-    if (expert < 0)
-        result.expert = static_cast<int>(std::max_element(result.router.begin(), result.router.end()) -
-                                         result.router.begin());
+    if (expert < 0) result.expert = most_probable(result.router);
     result.parts = experts[static_cast<std::size_t>(result.expert)].forward(features, runtime);
     return result;
 }

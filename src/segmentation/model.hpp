@@ -45,6 +45,9 @@ struct Router {
     Tensor forward(const Features& features, const Runtime& runtime) const; // probabilities, [experts, 1, 1]
 };
 
+// The expert; the first among equals.
+int most_probable(const Tensor& router);
+
 struct PoseHead {
     Block conv;                                                             // 112 → 64, 8×8
     network::Linear linear;                                                 // 64 → 8

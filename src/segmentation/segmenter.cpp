@@ -13,13 +13,11 @@ namespace pantin {
 
 namespace {
 
-// Pixels of the region with a 4-neighbour outside of it.
 long border_length(const Mask& region) {
     long count = 0;
     for (int y = 0; y < region.height(); ++y)
         for (int x = 0; x < region.width(); ++x)
-            count += region(x, y) && !(region.value_or(x - 1, y, 0) && region.value_or(x + 1, y, 0) &&
-                                       region.value_or(x, y - 1, 0) && region.value_or(x, y + 1, 0));
+            count += on_border(region, x, y);
     return count;
 }
 

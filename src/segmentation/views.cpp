@@ -62,10 +62,6 @@ double sureness(const Tensor& parts) {
     return all > 0 ? sure / all : 0;
 }
 
-int most_probable(const Tensor& router) {
-    return static_cast<int>(std::max_element(router.begin(), router.end()) - router.begin());
-}
-
 // The answer of that expert on the view, brought back to the drawing.
 Tensor parts_of(const Network& net, const View& view, int expert, const Runtime& runtime) {
     Tensor parts = net.experts[static_cast<std::size_t>(expert)].forward(view.features, runtime);
@@ -109,7 +105,7 @@ Tensor weighted_mean(const std::vector<View>& views, Tensor View::*answer) {
 } // namespace
 
 Tilt tilt_of(const Tensor& ink, double degrees) {
-    constexpr double radians = 3.14159265358979323846 / 180;
+    constexpr double radians = math::pi / 180;
     const double c = math::cos(degrees * radians), s = math::sin(degrees * radians);
     double left = std::numeric_limits<double>::infinity(), top = left, right = -left, bottom = -left;
     for (int y = 0; y < ink.height(); ++y)

@@ -168,5 +168,6 @@ def metadata(model):
     def listed(numbers):
         return ",".join(map(str, numbers))
     return {"model": "pantin.segmenter", "version": "2", "input": str(model.size), "widths": listed(model.widths),
-            "decoder": listed(model.decoder), "contexts": listed(model.contexts), "refine": listed(model.refine), "experts": ",".join(EXPERTS), "labels": ",".join(LABELS),
+            "decoder": listed(model.decoder), "contexts": listed(model.contexts), "refine": listed(model.refine),
+            "experts": ",".join(EXPERTS), "labels": ",".join(LABELS),
             "poses": ",".join(POSES)}
