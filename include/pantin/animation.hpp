@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,18 @@ struct View {
 View view_of(const Rig& rig, const std::vector<BoneAnimation>& animations);
 // Texture: the drawing; `alpha` cuts it to the silhouette at the drawing's resolution.
 RgbaImage make_texture(const RgbImage& drawing, const LabelMap& labels);
+// Draws frames of one character, all from the same view. Keeps a reference to `rig`; may be used by several threads at once.
+class FrameRenderer {
+public:
+    FrameRenderer(const Rig& rig, const RgbaImage& texture, const View& view, const RenderOptions& options = {});
+    ~FrameRenderer();
+    FrameRenderer(FrameRenderer&&) noexcept;
+    RgbaImage operator()(const std::vector<Vec3>& vertices) const;
+
+private:
+    struct Parts;
+    std::unique_ptr<const Parts> parts_;
+};
 RgbaImage render_frame(const Rig& rig, const std::vector<Vec3>& vertices, const RgbaImage& texture, const View& view,
                        const RenderOptions& options = {});
 std::vector<RgbaImage> render(const Rig& rig, const BoneAnimation& animation, const RgbaImage& texture, const View& view,

@@ -124,6 +124,9 @@ Mask largest_component(const Mask& mask);
 // Fills 4-connected background regions that do not touch the border and are at most max_area pixels large.
 Mask fill_holes(const Mask& mask, long max_area = max_image_pixels);
 
+// The pixels of `hole` (of the image's size) take colours that continue their surroundings smoothly; the others stay.
+RgbImage fill_in(const RgbImage& image, const Mask& hole);
+
 // --- distance --------------------------------------------------------------------------------------------
 
 // Exact squared Euclidean distance of every pixel to the nearest pixel with mask == 0 (Felzenszwalb &

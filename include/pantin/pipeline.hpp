@@ -51,7 +51,8 @@ std::vector<std::pair<std::string, std::string>> list_options(const Options& opt
 struct RenderRequest {
     std::string clip = "all";         // a clip of the reference, or all
     double fps = 25;                  // 1 … 100
-    std::vector<std::string> formats; // of webp, gif, png; empty: webp, and gif for the first clip
+    std::vector<std::string> formats; // of webp, gif, apng, mp4, png; empty: webp, and gif for the first clip
+    bool scene = false;               // `animate`: the whole page as one film, too
     RenderOptions picture;
 };
 
@@ -87,7 +88,7 @@ Page read_page(const std::filesystem::path& file);
 
 // --- the steps ---------------------------------------------------------------------------------------------
 
-// The whole pipeline: `image` to out/page.json and one folder a character. A character that cannot go on
+// The whole pipeline: `image` to out/page.json and one folder a character (and out/scene.* when that is wanted). A character that cannot go on
 // keeps the files it has and says why in its status. Throws Error(not_animated) when none could be animated,
 // after page.json is written; Error(no_character) when there is none.
 Page animate(const std::filesystem::path& image, const std::filesystem::path& out, const Settings& settings);

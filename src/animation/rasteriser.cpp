@@ -19,6 +19,7 @@ namespace pantin {
 namespace {
 
 constexpr std::int64_t subsamples = 256; // fixed-point units per sample
+constexpr int band_rows = 32;            // pixel rows that are drawn at a time
 constexpr double camera_distance = 2.5;  // of the perspective camera, in longer sides of the view
 
 struct FrameSize {
@@ -135,13 +136,29 @@ private:
     Grid<Texel> texels_;
 };
 
+// Draws a band of a frame's sample rows at a time: its samples stay in the processor's cache.
 class Rasteriser {
 public:
-    Rasteriser(int width, int height)
-        : colour_(width, height), depth_(width, height, -std::numeric_limits<float>::infinity()),
-          drawn_(static_cast<std::size_t>(height), {width, 0}) {}
+    Rasteriser(int width, int rows)
+        : colour_(width, rows), depth_(width, rows, farthest), drawn_(static_cast<std::size_t>(rows), {width, 0}) {}
+
+    // From here on, samples of the rows from `row` on are drawn.
+    void begin_band(int row) {
+        first_row_ = row;
+        for (int y = 0; y < colour_.height(); ++y) {
+            Span& drawn = drawn_[static_cast<std::size_t>(y)];
+            if (drawn.begin < drawn.end) {
+                std::fill(colour_.row(y) + drawn.begin, colour_.row(y) + drawn.end, Rgba8{});
+                std::fill(depth_.row(y) + drawn.begin, depth_.row(y) + drawn.end, farthest);
+            }
+            drawn = {colour_.width(), 0};
+        }
+    }
 
     void draw(ScreenVertex a, ScreenVertex b, ScreenVertex c, const Sampler& sampler) {
+        const Span rows = sample_range(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), first_row_,
+                                       first_row_ + colour_.height());
+        if (rows.begin >= rows.end) return;
         std::int64_t area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
         if (area == 0) return;
         if (area < 0) { // both sides of the paper are visible
@@ -149,27 +166,25 @@ public:
             area = -area;
         }
         const std::array<Edge, 3> edges = {Edge(b, c), Edge(c, a), Edge(a, b)};
-        const Span columns = sample_range(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), colour_.width());
-        const Span rows = sample_range(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), colour_.height());
+        const Span columns = sample_range(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), 0, colour_.width());
         const double inverse = 1.0 / static_cast<double>(area);
         for (int y = rows.begin; y < rows.end; ++y) {
             Span span = columns;
             for (const Edge& edge : edges) edge.clip(span, y);
             if (span.begin >= span.end) continue;
-            Span& drawn = drawn_[static_cast<std::size_t>(y)];
+            Span& drawn = drawn_[static_cast<std::size_t>(y - first_row_)];
             drawn = {std::min(drawn.begin, span.begin), std::max(drawn.end, span.end)};
             std::int64_t e0 = edges[0].at(span.begin, y), e1 = edges[1].at(span.begin, y);
             for (int x = span.begin; x < span.end; ++x, e0 += edges[0].step(), e1 += edges[1].step())
-                shade(x, y, a, b, c, static_cast<double>(e0) * inverse, static_cast<double>(e1) * inverse, sampler);
+                shade(x, y - first_row_, a, b, c, static_cast<double>(e0) * inverse, static_cast<double>(e1) * inverse, sampler);
         }
     }
 
-    // Mean of the samples of each pixel over the background, straight alpha.
-    RgbaImage resolve(int supersampling, Rgba8 background) const {
-        // As the mean below would make it.
-        const Rgba8 empty = background.a == 0 ? Rgba8{0, 0, 0, 0} : background;
-        RgbaImage image(colour_.width() / supersampling, colour_.height() / supersampling, empty);
-        for (int y = 0; y < image.height(); ++y) {
+    // Mean of the samples of each pixel over the background, straight alpha, to the rows of the image that the band covers.
+    void resolve(RgbaImage& image, int supersampling, Rgba8 background) const {
+        const int first = first_row_ / supersampling;
+        const int rows = std::min(colour_.height() / supersampling, image.height() - first);
+        for (int y = 0; y < rows; ++y) {
             Span drawn{colour_.width(), 0};
             for (int j = 0; j < supersampling; ++j) {
                 const Span& row = drawn_[static_cast<std::size_t>(y * supersampling + j)];
@@ -177,9 +192,8 @@ public:
             }
             const int end = std::min((drawn.end + supersampling - 1) / supersampling, image.width());
             for (int x = drawn.begin / supersampling; x < end; ++x)
-                image(x, y) = mean_of_samples(x, y, supersampling, background);
+                image(x, first + y) = mean_of_samples(x, y, supersampling, background);
         }
-        return image;
     }
 
 private:
@@ -215,9 +229,9 @@ private:
         }
     };
 
-    static Span sample_range(std::int64_t low, std::int64_t high, int size) {
-        return {static_cast<int>(std::clamp<std::int64_t>(math::floor_divide(low, subsamples), 0, size)),
-                static_cast<int>(std::clamp<std::int64_t>(math::floor_divide(high, subsamples) + 1, 0, size))};
+    static Span sample_range(std::int64_t low, std::int64_t high, int begin, int end) {
+        return {static_cast<int>(std::clamp<std::int64_t>(math::floor_divide(low, subsamples), begin, end)),
+                static_cast<int>(std::clamp<std::int64_t>(math::floor_divide(high, subsamples) + 1, begin, end))};
     }
 
     void shade(int x, int y, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, double p,
@@ -250,6 +264,9 @@ private:
                 static_cast<std::uint8_t>((2 * alpha + samples) / (2 * samples))};
     }
 
+    static constexpr float farthest = -std::numeric_limits<float>::infinity();
+
+    int first_row_ = 0;
     RgbaImage colour_;
     Grid<float> depth_;
     std::vector<Span> drawn_; // per row of samples, the columns that any triangle covers
@@ -262,35 +279,53 @@ RgbaImage fitting(RgbaImage texture, const View& view, const RenderOptions& opti
     return texture;
 }
 
-RgbaImage draw_frame(const Rig& rig, const std::vector<Vec3>& vertices, const RgbaImage& texture,
-                     const View& view, const RenderOptions& options) {
+} // namespace
+
+struct FrameRenderer::Parts {
+    const Rig& rig;
+    RenderOptions options;
+    FrameSize frame;
+    Projection project;
+    Sampler sampler;
+};
+
+FrameRenderer::FrameRenderer(const Rig& rig, const RgbaImage& texture, const View& view, const RenderOptions& options) {
     const FrameSize frame = frame_size(view, options.size);
-    const Projection project(view, frame, options.supersampling, options.perspective);
+    parts_.reset(new Parts{rig, options, frame, Projection(view, frame, options.supersampling, options.perspective),
+                           Sampler(fitting(texture, view, options))});
+}
+FrameRenderer::~FrameRenderer() = default;
+FrameRenderer::FrameRenderer(FrameRenderer&&) noexcept = default;
+
+RgbaImage FrameRenderer::operator()(const std::vector<Vec3>& vertices) const {
+    const auto& [rig, options, frame, project, sampler] = *parts_;
     std::vector<ScreenVertex> screen;
     for (std::size_t v = 0; v < vertices.size(); ++v) screen.push_back(project(vertices[v], rig.texture[v]));
-    const Sampler sampler(texture);
-    Rasteriser rasteriser(frame.width * options.supersampling, frame.height * options.supersampling);
-    for (const std::vector<int>& face : rig.mesh.faces)
-        for (std::size_t i = 1; i + 1 < face.size(); ++i)
-            rasteriser.draw(screen[face[0]], screen[face[i]], screen[face[i + 1]], sampler);
-    return rasteriser.resolve(options.supersampling, options.background);
+    // A background without alpha is empty, as the mean of its samples would make it.
+    RgbaImage image(frame.width, frame.height, options.background.a == 0 ? Rgba8{0, 0, 0, 0} : options.background);
+    const int rows = std::min(band_rows, frame.height);
+    Rasteriser rasteriser(frame.width * options.supersampling, rows * options.supersampling);
+    for (int y = 0; y < frame.height; y += rows) {
+        rasteriser.begin_band(y * options.supersampling);
+        for (const std::vector<int>& face : rig.mesh.faces)
+            for (std::size_t i = 1; i + 1 < face.size(); ++i)
+                rasteriser.draw(screen[face[0]], screen[face[i]], screen[face[i + 1]], sampler);
+        rasteriser.resolve(image, options.supersampling, options.background);
+    }
+    return image;
 }
-
-} // namespace
 
 RgbaImage render_frame(const Rig& rig, const std::vector<Vec3>& vertices, const RgbaImage& texture,
                        const View& view, const RenderOptions& options) {
-    return draw_frame(rig, vertices, fitting(texture, view, options), view, options);
+    return FrameRenderer(rig, texture, view, options)(vertices);
 }
 
 std::vector<RgbaImage> render(const Rig& rig, const BoneAnimation& animation, const RgbaImage& texture,
                               const View& view, double fps, const RenderOptions& options) {
-    const RgbaImage fitted = fitting(texture, view, options);
+    const FrameRenderer renderer(rig, texture, view, options);
     const int count = std::max(1, static_cast<int>(std::floor(animation.duration * fps + 0.5)));
     std::vector<RgbaImage> frames;
-    for (int i = 0; i < count; ++i)
-        frames.push_back(
-            draw_frame(rig, skin(rig, animation, animation.duration * i / count), fitted, view, options));
+    for (int i = 0; i < count; ++i) frames.push_back(renderer(skin(rig, animation, animation.duration * i / count)));
     return frames;
 }
 

@@ -67,6 +67,7 @@ void add_animate(CLI::App& app, Run& run) {
         ->required();
     command->add_option("-o,--output", arguments->out, "folder for the results")->required();
     add_render_options(*command, arguments->render);
+    command->add_flag("--scene", arguments->render.scene, "the whole page comes alive, too: DIR/scene.webp, scene.gif");
     add_rotate_option(*command, arguments->common);
     add_detector_option(*command, arguments->common);
     add_common_options(*command, arguments->common);

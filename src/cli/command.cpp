@@ -53,13 +53,16 @@ Rgba8 parse_colour(const std::string& text) {
 }
 
 void check_formats(const std::vector<std::string>& formats) {
+    constexpr const char* known[] = {"webp", "gif", "apng", "mp4", "png"};
     for (const std::string& format : formats) {
-        if (format != "webp" && format != "gif" && format != "png")
-            throw Error(ErrorKind::usage, "--format: '" + format + "' is not webp, gif or png");
+        if (std::find(std::begin(known), std::end(known), format) == std::end(known))
+            throw Error(ErrorKind::usage, "--format: '" + format + "' is not webp, gif, apng, mp4 or png");
         if (format == "webp" && !webp_available())
             throw Error(ErrorKind::usage, "--format webp: this pantin was built without WebP");
         if (format == "gif" && !gif_available())
             throw Error(ErrorKind::usage, "--format gif: this pantin was built without GIF");
+        if (format == "mp4" && !mp4_available())
+            throw Error(ErrorKind::usage, "--format mp4: there is no ffmpeg on this machine (Debian: apt-get install ffmpeg)");
     }
 }
 
@@ -100,7 +103,7 @@ void add_render_options(CLI::App& command, RenderFlags& flags) {
         ->check(CLI::Range(16, 4096))
         ->capture_default_str();
     command
-        .add_option("--format", flags.formats, "webp, gif, png (default: webp, and gif of the first clip)")
+        .add_option("--format", flags.formats, "webp, gif, apng, mp4, png (default: webp, and gif of the first clip)")
         ->delimiter(',');
     command.add_option("--background", flags.background, "transparent, white, black, #rrggbb or #rrggbbaa")
         ->capture_default_str();
@@ -126,6 +129,7 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
     settings.render.clip = flags.clip;
     settings.render.fps = flags.fps;
     settings.render.formats = flags.formats;
+    settings.render.scene = flags.scene;
     settings.render.picture.size = flags.size;
     settings.render.picture.perspective = flags.perspective;
     settings.render.picture.background = parse_colour(flags.background);

@@ -27,7 +27,7 @@ struct RenderFlags {
     double fps = 25;
     int size = 512;
     std::vector<std::string> formats;
-    bool perspective = false;
+    bool perspective = false, scene = false;
 };
 
 void add_common_options(CLI::App& command, CommonOptions& options);

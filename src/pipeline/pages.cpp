@@ -18,11 +18,14 @@ namespace {
 constexpr const char* own_files[] = {
     "drawing.png",  "mask.png",      "labels.png",          "segmentation.json", "contour.json",
     "skeleton.png", "skeleton.json", "identification.json", "mapping.json",      "mesh.obj",
-    "mesh.mtl",     "weights.txt",   "character.glb",       "animation.webp",    "animation.gif"};
+    "mesh.mtl",     "weights.txt",   "character.glb"};
+constexpr const char* film_endings[] = {".webp", ".gif", ".apng", ".mp4"};
 
 bool is_own_file(const std::string& name) {
     if (std::find(std::begin(own_files), std::end(own_files), name) != std::end(own_files)) return true;
-    return name.starts_with("animation-") && (name.ends_with(".webp") || name.ends_with(".gif"));
+    if (!name.starts_with("animation")) return false;
+    return std::any_of(std::begin(film_endings), std::end(film_endings),
+                       [&](const char* ending) { return name.ends_with(ending); });
 }
 
 // Removes what a former run wrote; files that are not ours stay, and the folder with them.
@@ -50,6 +53,8 @@ void remove_former_run(const fs::path& out) {
     for (const PageCharacter& character : page.characters)
         if (character.folder.starts_with("character-")) remove_character(out / character.folder);
     fs::remove_all(out / "trace", ignored);
+    fs::remove_all(out / "frames", ignored);
+    for (const char* ending : film_endings) fs::remove(out / ("scene" + std::string(ending)), ignored);
 }
 
 PageCharacter describe(const DetectedCharacter& detected, std::size_t number) {

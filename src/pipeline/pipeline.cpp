@@ -1,6 +1,7 @@
 // The driver: from a page to animated characters, one step after the other. The file to read first.
 #include "pantin/pipeline.hpp"
 #include "pipeline/pages.hpp"
+#include "pipeline/scene.hpp"
 #include "pipeline/stages.hpp"
 
 namespace pantin {
@@ -56,7 +57,7 @@ Page animate(const fs::path& image, const fs::path& out, const Settings& setting
     std::string reasons;
     for (std::size_t i = 0; i < detected.characters.size(); ++i) {
         PageCharacter& entry = detected.page.characters[i];
-        Character character = std::move(detected.characters[i]);
+        Character& character = detected.characters[i];
         const double total = 1.0 + steps * static_cast<double>(detected.characters.size());
         entry.status = animate_character(character, workshop, [&](const char* step, int number) {
             const double done = 1.0 + steps * static_cast<double>(i) + number;
@@ -66,11 +67,16 @@ Page animate(const fs::path& image, const fs::path& out, const Settings& setting
             ++animated;
         else
             reasons += (reasons.empty() ? "" : "; ") + entry.folder + ": " + entry.status;
+        if (!settings.render.scene) character = {}; // its pictures are not needed any more
     }
     write_page(out, detected.page);
     if (animated == 0)
         throw Error(ErrorKind::not_animated,
                     image.string() + ": no character could be animated (" + reasons + ")");
+    if (settings.render.scene) {
+        workshop.progress("scene", 1);
+        run_scene(image, out, detected.page, detected.characters, workshop);
+    }
     return detected.page;
 }
 

@@ -1,0 +1,58 @@
+#include "pipeline/film.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/file.hpp"
+#include "pantin/export.hpp"
+#include "pantin/image.hpp"
+
+namespace pantin {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool wants(const RenderRequest& request, const std::string& format, bool first) {
+    if (!request.formats.empty())
+        return std::find(request.formats.begin(), request.formats.end(), format) != request.formats.end();
+    if (format == "webp") return webp_available();
+    return format == "gif" && first && gif_available();
+}
+
+void write_frames(const fs::path& folder, const std::vector<RgbaImage>& frames) {
+    create_folder(folder);
+    char name[32];
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        std::snprintf(name, sizeof name, "%04zu.png", i + 1);
+        save_png(folder / name, frames[i]);
+    }
+    // Frames of a longer clip that was written here before would be shown after these.
+    std::error_code ignored;
+    for (std::size_t i = frames.size() + 1;; ++i) {
+        std::snprintf(name, sizeof name, "%04zu.png", i);
+        if (!fs::remove(folder / name, ignored)) break;
+    }
+}
+
+} // namespace
+
+Film blank_film(double duration, double fps) {
+    Film film;
+    film.frames.resize(static_cast<std::size_t>(std::max(1.0, std::rint(duration * fps))));
+    film.fps = static_cast<double>(film.frames.size()) / duration;
+    return film;
+}
+
+void write_film(const Film& film, const fs::path& folder, const std::string& stem, const fs::path& frames_folder,
+                const RenderRequest& request, bool first) {
+    const auto file = [&](const char* ending) { return folder / (stem + ending); };
+    if (wants(request, "webp", first)) write_file(file(".webp"), encode_webp(film.frames, film.fps));
+    if (wants(request, "gif", first)) write_file(file(".gif"), encode_gif(film.frames, film.fps));
+    if (wants(request, "apng", first)) write_file(file(".apng"), encode_apng(film.frames, film.fps));
+    if (wants(request, "mp4", first)) write_mp4(file(".mp4"), film.frames, film.fps);
+    if (wants(request, "png", first)) write_frames(frames_folder, film.frames);
+}
+
+} // namespace pantin

@@ -1,0 +1,26 @@
+// Frames as film files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pantin/pipeline.hpp"
+
+namespace pantin {
+
+// One loop of frames and their rate.
+struct Film {
+    std::vector<RgbaImage> frames;
+    double fps = 25;
+};
+
+// An empty film for a loop of `duration` seconds: a whole number of frames that fills it, at about the wanted rate.
+Film blank_film(double duration, double fps);
+
+// Writes folder/<stem>.webp and so on in the wanted formats; PNG frames go to `frames_folder`. Without wanted formats it
+// is WebP, and GIF when `first`.
+void write_film(const Film& film, const std::filesystem::path& folder, const std::string& stem,
+                const std::filesystem::path& frames_folder, const RenderRequest& request, bool first);
+
+} // namespace pantin

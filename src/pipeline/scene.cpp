@@ -1,0 +1,150 @@
+#include "pipeline/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pantin/image.hpp"
+#include "pantin/network.hpp"
+#include "pipeline/film.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr double wanted_seconds = 4; // of the loop
+constexpr int rim = 2;               // pixels around a character that still hold some of its ink
+
+struct Actor {
+    const Rig* rig = nullptr;
+    RgbaImage texture;
+    BoneAnimation animation;
+    Box box; // of the page
+    int loops = 1;
+};
+
+// The part of the frame in which an actor moves.
+struct Place {
+    int x = 0, y = 0; // frame pixels
+    FrameRenderer renderer;
+};
+
+// The wanted clip where the reference has it, else its first one.
+const ReferenceClip& clip_for(const ReferenceSkeleton& reference, const std::string& wanted) {
+    for (const ReferenceClip& clip : reference.clips)
+        if (clip.name == wanted) return clip;
+    return reference.clips.front();
+}
+
+std::vector<Actor> cast(const Page& page, std::vector<Character>& characters, Workshop& workshop) {
+    std::vector<Actor> actors;
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+        if (page.characters[i].status != "ok") continue;
+        Character& character = characters[i];
+        const ReferenceSkeleton& reference =
+            workshop.reference(identification_of(character, workshop).reference);
+        if (reference.clips.empty()) continue;
+        Actor actor;
+        actor.rig = &rig_of(character, workshop);
+        actor.texture = make_texture(drawing_of(character), labels_of(character));
+        actor.animation = retarget(*actor.rig, reference, clip_for(reference, workshop.settings().render.clip),
+                                   workshop.options().animation.samples);
+        actor.box = page.characters[i].box;
+        actors.push_back(std::move(actor));
+    }
+    return actors;
+}
+
+// The longest clip an entire number of times; the others as often as fits best, a little faster or slower.
+double common_duration(std::vector<Actor>& actors) {
+    double longest = 0;
+    for (const Actor& actor : actors) longest = std::max(longest, actor.animation.duration);
+    const double duration = longest * std::max(1.0, std::rint(wanted_seconds / longest));
+    for (Actor& actor : actors)
+        actor.loops = std::max(1, static_cast<int>(std::rint(duration / actor.animation.duration)));
+    return duration;
+}
+
+// Where the actor gets to, on whole pixels of a frame that shows the page with so many pixels to a pixel of the page. In
+// the actor's world one unit is the height of its box and the origin the middle of its lower edge.
+Place place_of(const Actor& actor, double scale, RenderOptions picture) {
+    const View reach = view_of(*actor.rig, {actor.animation});
+    const double unit = scale * actor.box.height;
+    const double origin_x = scale * (actor.box.x + 0.5 * actor.box.width), origin_y = scale * (actor.box.y + actor.box.height);
+    const double left = std::floor(origin_x + unit * reach.left), right = std::ceil(origin_x + unit * (reach.left + reach.width));
+    const double top = std::floor(origin_y - unit * (reach.bottom + reach.height)), bottom = std::ceil(origin_y - unit * reach.bottom);
+    const View view{(left - origin_x) / unit, (origin_y - bottom) / unit, (right - left) / unit, (bottom - top) / unit};
+    picture.background = {0, 0, 0, 0};
+    picture.perspective = false;
+    picture.size = static_cast<int>(std::max(right - left, bottom - top));
+    return {static_cast<int>(left), static_cast<int>(top), FrameRenderer(*actor.rig, actor.texture, view, picture)};
+}
+
+std::vector<Vec3> pose_of(const Actor& actor, double share) {
+    const double turns = share * actor.loops;
+    return skin(*actor.rig, actor.animation, (turns - std::floor(turns)) * actor.animation.duration);
+}
+
+void put_over(RgbaImage& picture, const RgbaImage& layer, int left, int top) {
+    const auto mix = [](int above, int below, int alpha) {
+        return static_cast<std::uint8_t>((above * alpha + below * (255 - alpha) + 127) / 255);
+    };
+    for (int y = 0; y < layer.height(); ++y)
+        for (int x = 0; x < layer.width(); ++x) {
+            const Rgba8 above = layer(x, y);
+            if (above.a == 0 || !picture.contains(left + x, top + y)) continue;
+            Rgba8& p = picture(left + x, top + y);
+            p = {mix(above.r, p.r, above.a), mix(above.g, p.g, above.a), mix(above.b, p.b, above.a), 255};
+        }
+}
+
+// Where a character is drawn, on a page of that size.
+void mark(Mask& hole, const Actor& actor, const Page& page) {
+    const double sx = static_cast<double>(page.width) / hole.width(), sy = static_cast<double>(page.height) / hole.height();
+    for (int y = 0; y < hole.height(); ++y)
+        for (int x = 0; x < hole.width(); ++x) {
+            const double u = ((x + 0.5) * sx - actor.box.x) / actor.box.width * actor.texture.width();
+            const double v = ((y + 0.5) * sy - actor.box.y) / actor.box.height * actor.texture.height();
+            const int column = static_cast<int>(std::floor(u)), row = static_cast<int>(std::floor(v));
+            if (actor.texture.contains(column, row) && actor.texture(column, row).a > 0) hole(x, y) = 1;
+        }
+}
+
+RgbaImage empty_paper(const RgbImage& drawn, const std::vector<Actor>& actors, const Page& page) {
+    Mask hole(drawn.width(), drawn.height());
+    for (const Actor& actor : actors) mark(hole, actor, page);
+    const RgbImage filled = fill_in(drawn, dilate_square(hole, rim));
+    RgbaImage paper(filled.width(), filled.height());
+    for (std::size_t i = 0; i < paper.size(); ++i) {
+        const Rgb8 p = filled.data()[i];
+        paper.data()[i] = {p.r, p.g, p.b, 255};
+    }
+    return paper;
+}
+
+} // namespace
+
+void run_scene(const std::filesystem::path& image, const std::filesystem::path& out, const Page& page,
+               std::vector<Character>& characters, Workshop& workshop) {
+    const Settings& settings = workshop.settings();
+    std::vector<Actor> actors = cast(page, characters, workshop);
+    if (actors.empty()) return;
+    Film film = blank_film(common_duration(actors), settings.render.fps);
+    const double scale = static_cast<double>(settings.render.picture.size) / std::max(page.width, page.height);
+    const auto pixels = [&](int length) { return std::max(1, static_cast<int>(std::floor(scale * length + 0.5))); };
+    const RgbImage drawn = resize(turned(load_image(image), settings.rotate), pixels(page.width), pixels(page.height));
+    const RgbaImage paper = empty_paper(drawn, actors, page);
+    std::vector<Place> places;
+    for (const Actor& actor : actors) places.push_back(place_of(actor, scale, settings.render.picture));
+    const network::Runtime runtime(settings.threads);
+    runtime.parallel_for(static_cast<int>(film.frames.size()), [&](int frame) {
+        const auto i = static_cast<std::size_t>(frame);
+        const double share = static_cast<double>(i) / static_cast<double>(film.frames.size());
+        RgbaImage picture = paper;
+        for (std::size_t k = 0; k < actors.size(); ++k)
+            put_over(picture, places[k].renderer(pose_of(actors[k], share)), places[k].x, places[k].y);
+        film.frames[i] = std::move(picture);
+    });
+    write_film(film, out, "scene", out / "frames" / "scene", settings.render, true);
+}
+
+} // namespace pantin

@@ -1,0 +1,16 @@
+// The whole page as one film: every character moves in its place, before the paper with the characters taken off.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "pipeline/character.hpp"
+
+namespace pantin {
+
+// Writes out/scene.webp and so on (PNG frames: out/frames/scene). `characters` are those of `page`; those whose status is
+// not "ok" stay on the paper as they were drawn.
+void run_scene(const std::filesystem::path& image, const std::filesystem::path& out, const Page& page,
+               std::vector<Character>& characters, Workshop& workshop);
+
+} // namespace pantin
