@@ -93,7 +93,7 @@ struct DetectedCharacter {
 // Intermediate products are kept for `--trace` and `explain`.
 struct Detection {
     int width = 0, height = 0;                 // of the page
-    Mask ink;                                  // after the adaptive threshold, page size
+    Mask ink;                                  // after the adaptive threshold, page size; empty when nothing was detected
     std::vector<DetectedCharacter> characters; // left to right, then top to bottom, by box centre
 };
 
@@ -101,5 +101,8 @@ struct Detection {
 // (Suzuki & Abe 1985 on the closed ink) does. Throws Error(no_character) when the page holds none.
 Detection detect(const RgbImage& page, const DetectionOptions& options = {},
                  const CharacterFinder* finder = nullptr);
+
+// The character whose silhouette on the page is known (of the page's size, not empty); its score is 1.
+DetectedCharacter character_of(const RgbImage& page, const Mask& silhouette, const DetectionOptions& options = {});
 
 } // namespace pantin

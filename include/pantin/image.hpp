@@ -23,6 +23,7 @@ inline constexpr long max_image_pixels = 64'000'000;
 RgbImage load_image(const std::filesystem::path& file, int min_side = min_image_side);
 // Turned clockwise by 0, 90, 180 or 270 degrees, no pixel lost; else Error(usage).
 RgbImage turned(RgbImage image, int degrees);
+GreyImage turned(GreyImage image, int degrees);
 // Loads a grey PNG that the pipeline wrote (mask, labels, skeleton), any size, values as stored; an editor
 // may have saved it with colour channels or a palette as long as every pixel is grey; fully transparent
 // pixels count as 0. Throws Error(input) naming the file.

@@ -56,8 +56,16 @@ struct RenderRequest {
     RenderOptions picture;
 };
 
+// Results of steps that the user gives; `animate` then skips those steps. Pictures have the page's size (before `rotate`).
+struct Given {
+    std::filesystem::path mask;   // grey PNG, the one character is where it is at least 128
+    std::filesystem::path labels; // grey PNG of label values 0 to 5; without a mask the character is where they are not 0
+    std::string reference;        // name of the reference that every character moves like
+};
+
 struct Settings {
     Options options;
+    Given given;
     std::filesystem::path weights;    // folder of segmenter.safetensors; empty: compiled in
     std::filesystem::path references; // folder of more reference skeletons; empty: none
     std::filesystem::path mapping;    // rig_folder: pairs as in mapping.json instead of matching; empty: match

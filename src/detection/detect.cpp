@@ -68,6 +68,12 @@ Box page_box(const Box& box, int factor, const RgbImage& page) {
     return {left, top, right - left, bottom - top};
 }
 
+int working_side(int pixels, double scale) { return std::max(1, static_cast<int>(std::floor(pixels * scale + 0.5))); }
+
+double working_scale(const Box& box, const DetectionOptions& options) {
+    return std::min(1.0, static_cast<double>(options.working_size) / std::max(box.width, box.height));
+}
+
 // The ink of one group inside its box, at working size. A working pixel is ink when a third of it is.
 Mask working_ink(const Mask& ink, const Grouping& grouping, int group, int factor, const Box& box,
                  double scale) {
@@ -79,10 +85,7 @@ Mask working_ink(const Mask& ink, const Grouping& grouping, int group, int facto
     if (scale == 1) return own;
     Grid<float> cover(box.width, box.height);
     std::copy(own.begin(), own.end(), cover.begin());
-    const auto side = [&](int pixels) {
-        return std::max(1, static_cast<int>(std::floor(pixels * scale + 0.5)));
-    };
-    cover = resize(cover, side(box.width), side(box.height));
+    cover = resize(cover, working_side(box.width, scale), working_side(box.height, scale));
     Mask small(cover.width(), cover.height());
     for (std::size_t i = 0; i < small.size(); ++i) small.data()[i] = cover.data()[i] >= 1.0f / 3;
     return small;
@@ -144,9 +147,8 @@ Detection detect(const RgbImage& page, const DetectionOptions& options, const Ch
     for (int index : largest_groups(grouping, options.max_characters)) {
         DetectedCharacter character;
         character.box = page_box(grouping.boxes[index], factor, page);
-        const int longer = std::max(character.box.width, character.box.height);
-        if (longer < options.min_side) continue;
-        character.scale = std::min(1.0, static_cast<double>(options.working_size) / longer);
+        if (std::max(character.box.width, character.box.height) < options.min_side) continue;
+        character.scale = working_scale(character.box, options);
         const Mask ink = working_ink(result.ink, grouping, index + 1, factor, character.box, character.scale);
         character.mask = silhouette_of(ink);
         if (std::none_of(character.mask.begin(), character.mask.end(), [](std::uint8_t v) { return v != 0; }))
@@ -159,6 +161,25 @@ Detection detect(const RgbImage& page, const DetectionOptions& options, const Ch
     if (result.characters.empty()) throw Error(ErrorKind::no_character, "no character found on the page");
     std::stable_sort(result.characters.begin(), result.characters.end(), reads_before);
     return result;
+}
+
+DetectedCharacter character_of(const RgbImage& page, const Mask& silhouette, const DetectionOptions& options) {
+    int left = page.width(), top = page.height(), right = 0, bottom = 0;
+    for (int y = 0; y < silhouette.height(); ++y)
+        for (int x = 0; x < silhouette.width(); ++x) {
+            if (!silhouette(x, y)) continue;
+            left = std::min(left, x), right = std::max(right, x + 1);
+            top = std::min(top, y), bottom = std::max(bottom, y + 1);
+        }
+    if (left >= right) throw Error(ErrorKind::internal, "a silhouette without a pixel");
+    DetectedCharacter character;
+    character.box = page_box({left, top, right - left, bottom - top}, 1, page);
+    character.scale = working_scale(character.box, options);
+    character.score = 1;
+    character.drawing = crop(page, character.box);
+    character.mask = resize_mask(crop(silhouette, character.box), working_side(character.box.width, character.scale),
+                                 working_side(character.box.height, character.scale));
+    return character;
 }
 
 } // namespace pantin

@@ -79,11 +79,11 @@ RgbImage copy_rgb(const unsigned char* rgb, int width, int height) {
 }
 
 // Turns the stored picture upright. EXIF 2.3, tag 0x0112: where the stored row 0 and column 0 belong.
-RgbImage apply_orientation(RgbImage stored, int orientation) {
+template <class Image> Image apply_orientation(Image stored, int orientation) {
     if (orientation == 1) return stored;
     const int w = stored.width(), h = stored.height();
     const bool swaps = orientation >= 5;
-    RgbImage upright(swaps ? h : w, swaps ? w : h);
+    Image upright(swaps ? h : w, swaps ? w : h);
     for (int y = 0; y < h; ++y) {
         for (int x = 0; x < w; ++x) {
             Point2i to{x, y};
@@ -118,20 +118,28 @@ RgbImage apply_orientation(RgbImage stored, int orientation) {
 
 } // namespace
 
-RgbImage turned(RgbImage image, int degrees) {
+namespace {
+
+// The EXIF orientation of a turn.
+int orientation_of(int degrees) {
     switch (degrees) {
     case 0:
-        return image;
+        return 1;
     case 90:
-        return apply_orientation(std::move(image), 6);
+        return 6;
     case 180:
-        return apply_orientation(std::move(image), 3);
+        return 3;
     case 270:
-        return apply_orientation(std::move(image), 8);
+        return 8;
     default:
         throw Error(ErrorKind::usage, "an image can be turned by 0, 90, 180 or 270 degrees");
     }
 }
+
+} // namespace
+
+RgbImage turned(RgbImage image, int degrees) { return apply_orientation(std::move(image), orientation_of(degrees)); }
+GreyImage turned(GreyImage image, int degrees) { return apply_orientation(std::move(image), orientation_of(degrees)); }
 
 RgbImage load_image(const std::filesystem::path& file, int min_side) {
     const std::vector<unsigned char> bytes = read_file(file);

@@ -12,7 +12,9 @@ namespace {
 
 std::string size_text(int width, int height) { return std::to_string(width) + "×" + std::to_string(height); }
 
-[[noreturn]] void fail_size(const std::filesystem::path& file, int width, int height,
+} // namespace
+
+void fail_size(const std::filesystem::path& file, int width, int height,
                             const std::string& other, int other_width, int other_height) {
     throw Error(ErrorKind::input, file.string() + ": is " + size_text(width, height) + " pixels, but " +
                                       other + " is " + size_text(other_width, other_height));
@@ -27,8 +29,6 @@ void check_labels(const LabelMap& labels, const std::filesystem::path& file) {
                                                   std::to_string(labels(x, y)) + ", labels are 0 to " +
                                                   std::to_string(label_count - 1));
 }
-
-} // namespace
 
 const RgbImage& drawing_of(Character& character) {
     if (!character.drawing) character.drawing = load_image(character.folder / "drawing.png", 1);

@@ -28,6 +28,10 @@ const Identification& identification_of(Character& character, Workshop& workshop
 // Rigged anew from skeleton, labels, identification and mapping (a matter of milliseconds); the weights are
 // those of weights.txt, so that mapping and weights can be corrected by hand.
 const Rig& rig_of(Character& character, Workshop& workshop);
+// Error(input): a label map has a value that is none; two pictures that belong together have different sizes.
+void check_labels(const LabelMap& labels, const std::filesystem::path& file);
+[[noreturn]] void fail_size(const std::filesystem::path& file, int width, int height, const std::string& other,
+                            int other_width, int other_height);
 // The rig for the pairs of a mapping.json.
 Rig rig_from_mapping(Character& character, Workshop& workshop, const std::filesystem::path& file);
 

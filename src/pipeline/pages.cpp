@@ -5,6 +5,7 @@
 
 #include "core/file.hpp"
 #include "pantin/image.hpp"
+#include "pipeline/given.hpp"
 #include "pipeline/json_files.hpp"
 #include "pipeline/trace.hpp"
 
@@ -67,23 +68,34 @@ void write_page(const fs::path& out, const Page& page) { write_file(out / "page.
 
 Page read_page(const fs::path& file) { return page_from_json(read_text(file), file.string()); }
 
+namespace {
+
+Detection detect_on(const RgbImage& page, const fs::path& image, Workshop& workshop) {
+    DetectionOptions options = workshop.options().detection;
+    options.threads = workshop.settings().threads;
+    const CharacterFinder* finder = options.detector == Detector::mask_rcnn ? &workshop.finder() : nullptr;
+    try {
+        return detect(page, options, finder);
+    } catch (const Error& error) {
+        throw Error(error.kind(), image.string() + ": " + error.what());
+    }
+}
+
+} // namespace
+
 DetectedPage run_detect(const fs::path& image, const fs::path& out, Workshop& workshop) {
     workshop.progress("detect");
     const Detector detector = workshop.options().detection.detector;
-    const CharacterFinder* finder = detector == Detector::mask_rcnn ? &workshop.finder() : nullptr;
-    Detection detection = [&] {
-        const RgbImage page = turned(load_image(image), workshop.settings().rotate);
-        try {
-            DetectionOptions options = workshop.options().detection;
-            options.threads = workshop.settings().threads;
-            return detect(page, options, finder);
-        } catch (const Error& error) {
-            throw Error(error.kind(), image.string() + ": " + error.what());
-        }
-    }();
+    const RgbImage page = turned(load_image(image), workshop.settings().rotate);
+    std::optional<GivenCharacter> given = given_character(page, image, workshop.settings());
+    Detection detection;
+    if (given)
+        detection = {page.width(), page.height(), Mask(), {std::move(given->detected)}};
+    else
+        detection = detect_on(page, image, workshop);
     DetectedPage result;
     result.page.source = image.filename().string();
-    result.page.detector = detector_names[static_cast<std::size_t>(detector)];
+    result.page.detector = given ? "given" : detector_names[static_cast<std::size_t>(detector)];
     result.page.rotate = workshop.settings().rotate;
     result.page.width = detection.width;
     result.page.height = detection.height;
@@ -100,6 +112,7 @@ DetectedPage run_detect(const fs::path& image, const fs::path& out, Workshop& wo
         save_png(character.folder / "mask.png", to_grey(detected.mask));
         character.drawing = std::move(detected.drawing);
         character.mask = std::move(detected.mask);
+        if (given) character.labels = std::move(given->labels);
         result.characters.push_back(std::move(character));
     }
     write_page(out, result.page);

@@ -49,6 +49,7 @@ Page animate(const fs::path& image, const fs::path& out, const Settings& setting
     // Weights and references first: when they are bad nothing is written.
     workshop.segmenter();
     workshop.references();
+    if (!settings.given.reference.empty()) workshop.reference(settings.given.reference);
 
     // Step 1 (4.2): the page to characters.
     DetectedPage detected = run_detect(image, out, workshop);

@@ -9,6 +9,10 @@
 namespace pantin {
 
 void run_segment(Character& character, Workshop& workshop) {
+    if (character.labels) { // given
+        save_png(character.folder / "labels.png", *character.labels);
+        return;
+    }
     SegmentationOptions options = workshop.options().segmentation;
     options.threads = workshop.settings().threads;
     Segmentation result = workshop.segmenter().segment(drawing_of(character), mask_of(character), options);
@@ -33,6 +37,7 @@ void run_skeletonize(Character& character, Workshop& workshop) {
 void run_identify(Character& character, Workshop& workshop) {
     Identification result = identify(skeleton_of(character), labels_of(character), workshop.references(),
                                      workshop.options().identification);
+    if (const std::string& given = workshop.settings().given.reference; !given.empty()) result.reference = given;
     write_file(character.folder / "identification.json", identification_to_json(result));
     character.identification = std::move(result);
 }

@@ -30,7 +30,7 @@ GreyImage to_grey(const Grid<float>& share) {
 } // namespace
 
 void trace_detection(const fs::path& folder, const Detection& detection) {
-    save_png(trace_folder(folder) / "ink.png", to_grey(detection.ink));
+    if (!detection.ink.empty()) save_png(trace_folder(folder) / "ink.png", to_grey(detection.ink));
 }
 
 void trace_segmentation(const fs::path& folder, const Segmentation& segmentation) {

@@ -50,9 +50,12 @@ const std::vector<ReferenceSkeleton>& Workshop::references() {
 }
 
 const ReferenceSkeleton& Workshop::reference(const std::string& name) {
-    for (const ReferenceSkeleton& reference : references())
+    std::string names;
+    for (const ReferenceSkeleton& reference : references()) {
         if (reference.name == name) return reference;
-    throw Error(ErrorKind::input, "there is no reference '" + name + "'");
+        names += (names.empty() ? "" : ", ") + reference.name;
+    }
+    throw Error(ErrorKind::input, "there is no reference '" + name + "' (" + names + ")");
 }
 
 } // namespace pantin

@@ -1,0 +1,107 @@
+// Steps that the user overrules: --mask, --labels, --reference.
+#include <catch2/catch.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/demo.hpp"
+#include "pantin/image.hpp"
+
+using namespace pantin;
+using namespace pantin::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+// Page-sized pictures of the second character of the animated demo, made of its folder.
+struct Second {
+    TemporaryFolder folder;
+    fs::path source = animated_demo() / "character-2", labels = folder / "labels.png", mask = folder / "mask.png";
+    Box box;
+    GreyImage whole;
+    Second() {
+        const Json page = Json::parse(read(animated_demo() / "page.json"));
+        const Json& b = page["characters"][1]["box"];
+        box = {b[0], b[1], b[2], b[3]};
+        const GreyImage small = resize_nearest(load_grey(source / "labels.png"), box.width, box.height);
+        whole = GreyImage(page["width"], page["height"], 0);
+        for (int y = 0; y < box.height; ++y)
+            for (int x = 0; x < box.width; ++x) whole(box.x + x, box.y + y) = small(x, y);
+        save_png(labels, whole);
+        GreyImage white = whole;
+        for (std::uint8_t& pixel : white) pixel = pixel ? 255 : 0;
+        save_png(mask, white);
+    }
+    fs::path out() const { return folder / "out"; }
+    Outcome animate(const std::vector<std::string>& more) const {
+        return run_pantin(std::vector<std::string>{"animate", demo_page, "-o", out().string()} + more + small_films);
+    }
+};
+
+} // namespace
+
+TEST_CASE("--labels skips detection and segmentation: one character with those labels", "[cli][given]") {
+    const Second second;
+    REQUIRE(second.animate({"--labels", second.labels.string()}).code == 0);
+    const Json page = Json::parse(read(second.out() / "page.json"));
+    CHECK(page["detector"] == "given");
+    REQUIRE(page["characters"].size() == 1);
+    const Json box = page["characters"][0]["box"];
+    const GreyImage made = load_grey(second.out() / "character-1/labels.png");
+    REQUIRE(made.width() == box[2]); // a small character: working pixels are the page's
+    for (int y = 0; y < made.height(); ++y)
+        for (int x = 0; x < made.width(); ++x)
+            REQUIRE(made(x, y) == second.whole(box[0].get<int>() + x, box[1].get<int>() + y));
+    CHECK_FALSE(fs::exists(second.out() / "character-1/segmentation.json"));
+    CHECK(fs::exists(second.out() / "character-1/character.glb"));
+}
+
+TEST_CASE("--mask skips detection: the character is where the mask is", "[cli][given]") {
+    const Second second;
+    REQUIRE(second.animate({"--mask", second.mask.string()}).code == 0);
+    const Json page = Json::parse(read(second.out() / "page.json"));
+    REQUIRE(page["characters"].size() == 1);
+    CHECK(page["characters"][0]["score"] == 1);
+    long area = 0, wanted = 0;
+    for (const std::uint8_t v : load_grey(second.out() / "character-1/mask.png")) area += v != 0;
+    for (const std::uint8_t v : second.whole) wanted += v != 0;
+    CHECK(area == wanted);
+    CHECK(fs::exists(second.out() / "character-1/segmentation.json"));
+}
+
+TEST_CASE("--rotate turns the given pictures with the page", "[cli][given]") {
+    const Second second;
+    REQUIRE(second.animate({"--labels", second.labels.string(), "--rotate", "180"}).code == 0);
+    const Json box = Json::parse(read(second.out() / "page.json"))["characters"][0]["box"];
+    const int right = box[0].get<int>() + box[2].get<int>();
+    CHECK(std::abs(second.whole.width() - right - second.box.x) <= 12); // margins may differ
+}
+
+TEST_CASE("--reference decides what the characters move like", "[cli][given]") {
+    const Second second;
+    REQUIRE(second.animate({"--labels", second.labels.string(), "--reference", "flying"}).code == 0);
+    CHECK(Json::parse(read(second.out() / "character-1/identification.json"))["reference"] == "flying");
+}
+
+TEST_CASE("Given pictures that do not fit are one line, exit code 3 and no files", "[cli][given]") {
+    const Second second;
+    const std::string other = (second.folder / "other.png").string();
+    const auto refused = [&](const std::vector<std::string>& more, const std::string& what) {
+        const Outcome outcome = second.animate(more);
+        CAPTURE(outcome.err);
+        CHECK(outcome.code == 3);
+        CHECK(outcome.err.find(what) != std::string::npos);
+        CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
+        CHECK_FALSE(fs::exists(second.out()));
+    };
+    save_png(other, GreyImage(33, 44, 255));
+    refused({"--mask", other}, "other.png: is 33×44 pixels, but testdata/demo.png is 840×600");
+    save_png(other, GreyImage(840, 600, 0));
+    refused({"--mask", other}, "other.png: has no pixel of the character");
+    save_png(other, GreyImage(840, 600, 9));
+    refused({"--labels", other}, "other.png: pixel (0, 0) has the value 9");
+    refused({"--reference", "dragon"}, "there is no reference 'dragon' (humanoid, quadruped, flying");
+    const Outcome two = run_pantin({"animate", demo_page, small_page, "-o", second.out().string(), "--mask", other});
+    CHECK(two.code == 2);
+}
