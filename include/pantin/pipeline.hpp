@@ -25,6 +25,7 @@ namespace pantin {
 
 struct AnimationOptions {
     int samples = 24; // key poses of a clip in character.glb and between which frames are interpolated
+    double motion_start = 0, motion_seconds = 12; // the part of a recorded motion that is used
 };
 
 // The options of all steps. Their names in a configuration file are `<group>.<field>` (docs/formats.md).
@@ -51,7 +52,7 @@ std::vector<std::pair<std::string, std::string>> list_options(const Options& opt
 struct RenderRequest {
     std::string clip = "all";         // a clip of the reference, or all
     double fps = 25;                  // 1 … 100
-    std::vector<std::string> formats; // of webp, gif, apng, mp4, png; empty: webp, and gif for the first clip
+    std::vector<std::string> formats; // of webp, gif, apng, mp4, png, bvh; empty: webp, and gif for the first clip
     bool scene = false;               // `animate`: the whole page as one film, too
     RenderOptions picture;
 };
@@ -69,12 +70,14 @@ struct Settings {
     std::filesystem::path weights;    // folder of segmenter.safetensors; empty: compiled in
     std::filesystem::path references; // folder of more reference skeletons; empty: none
     std::filesystem::path mapping;    // rig_folder: pairs as in mapping.json instead of matching; empty: match
+    std::filesystem::path motion;     // a BVH file that humanoids follow, as one more clip of its name; empty: none
     int rotate = 0;                   // degrees by which a page is first turned clockwise: 0, 90, 180, 270
     int threads = 1;                  // results do not depend on it
     bool trace = false;               // intermediate products are written, too
     RenderRequest render;
     // Called before each step when set; `share` of the work done so far, 0 to 1.
     std::function<void(const std::string& what, double share)> progress;
+    std::function<void(const std::string& line)> notice; // facts that the user wants to check
 };
 
 // --- the page ----------------------------------------------------------------------------------------------

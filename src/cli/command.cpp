@@ -53,10 +53,10 @@ Rgba8 parse_colour(const std::string& text) {
 }
 
 void check_formats(const std::vector<std::string>& formats) {
-    constexpr const char* known[] = {"webp", "gif", "apng", "mp4", "png"};
+    constexpr const char* known[] = {"webp", "gif", "apng", "mp4", "png", "bvh"};
     for (const std::string& format : formats) {
         if (std::find(std::begin(known), std::end(known), format) == std::end(known))
-            throw Error(ErrorKind::usage, "--format: '" + format + "' is not webp, gif, apng, mp4 or png");
+            throw Error(ErrorKind::usage, "--format: '" + format + "' is not webp, gif, apng, mp4, png or bvh");
         if (format == "webp" && !webp_available())
             throw Error(ErrorKind::usage, "--format webp: this pantin was built without WebP");
         if (format == "gif" && !gif_available())
@@ -96,6 +96,10 @@ void add_rotate_option(CLI::App& command, CommonOptions& options) {
         ->check(CLI::IsMember({0, 90, 180, 270}));
 }
 
+void add_motion_option(CLI::App& command, CommonOptions& options) {
+    command.add_option("--motion", options.motion, "BVH file: humanoids follow it as one more clip, of the file's name");
+}
+
 void add_render_options(CLI::App& command, RenderFlags& flags) {
     command.add_option("--clip", flags.clip, "a clip of the reference, or all")->capture_default_str();
     command.add_option("--fps", flags.fps, "frames per second, 1 to 100")->capture_default_str();
@@ -103,7 +107,7 @@ void add_render_options(CLI::App& command, RenderFlags& flags) {
         ->check(CLI::Range(16, 4096))
         ->capture_default_str();
     command
-        .add_option("--format", flags.formats, "webp, gif, apng, mp4, png (default: webp, and gif of the first clip)")
+        .add_option("--format", flags.formats, "webp, gif, apng, mp4, png, bvh (default: webp, and gif of the first clip)")
         ->delimiter(',');
     command.add_option("--background", flags.background, "transparent, white, black, #rrggbb or #rrggbbaa")
         ->capture_default_str();
@@ -119,6 +123,7 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
             options.detector == "contour" ? Detector::contour : Detector::mask_rcnn;
     settings.weights = options.weights;
     settings.references = options.references;
+    settings.motion = options.motion;
     settings.rotate = options.rotate;
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
     settings.threads = options.threads > 0 ? options.threads : static_cast<int>(std::min(cores, 256u));
@@ -134,6 +139,11 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
     settings.render.picture.perspective = flags.perspective;
     settings.render.picture.background = parse_colour(flags.background);
     if (!options.quiet && isatty(STDERR_FILENO)) settings.progress = show_progress;
+    if (!options.quiet)
+        settings.notice = [](const std::string& line) {
+            clear_progress();
+            std::printf("%s\n", line.c_str());
+        };
     return settings;
 }
 

@@ -17,7 +17,7 @@ using Run = std::function<int()>;
 
 struct CommonOptions {
     std::string preset = "default";
-    std::string config, detector, weights, references;
+    std::string config, detector, weights, references, motion;
     int threads = 0; // 0: all cores
     int rotate = 0;
     bool trace = false, quiet = false;
@@ -33,6 +33,7 @@ struct RenderFlags {
 void add_common_options(CLI::App& command, CommonOptions& options);
 void add_detector_option(CLI::App& command, CommonOptions& options); // of the commands that detect
 void add_rotate_option(CLI::App& command, CommonOptions& options);   // of those that read a page
+void add_motion_option(CLI::App& command, CommonOptions& options);   // of those that move a character
 void add_render_options(CLI::App& command, RenderFlags& flags);
 
 // Preset, then configuration file, then the other options. Error(usage) or Error(input).

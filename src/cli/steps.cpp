@@ -61,9 +61,11 @@ void add_rig(CLI::App& app, Run& run) {
         settings.mapping = *mapping;
         rig_folder(folder, settings);
     };
-    add_folder_command(app, run, "rig", "step 5: mesh, bones, weights and character.glb",
-                       std::make_shared<FolderArguments>(), rig_with)
-        ->add_option("--mapping", *mapping,
+    const auto arguments = std::make_shared<FolderArguments>();
+    CLI::App* command = add_folder_command(app, run, "rig", "step 5: mesh, bones, weights and character.glb", arguments,
+                                           rig_with);
+    add_motion_option(*command, arguments->common);
+    command->add_option("--mapping", *mapping,
                      "mapping.json with the pairs of end-effectors to use instead of matching");
 }
 
@@ -71,6 +73,7 @@ void add_render(CLI::App& app, Run& run) {
     const auto arguments = std::make_shared<FolderArguments>();
     CLI::App* command = add_folder_command(app, run, "render", "frames, WebP and GIF of the clips", arguments,
                                            render_folder);
+    add_motion_option(*command, arguments->common);
     add_render_options(*command, arguments->render);
 }
 

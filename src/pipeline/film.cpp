@@ -14,13 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool wants(const RenderRequest& request, const std::string& format, bool first) {
-    if (!request.formats.empty())
-        return std::find(request.formats.begin(), request.formats.end(), format) != request.formats.end();
-    if (format == "webp") return webp_available();
-    return format == "gif" && first && gif_available();
-}
-
 void write_frames(const fs::path& folder, const std::vector<RgbaImage>& frames) {
     create_folder(folder);
     char name[32];
@@ -37,6 +30,18 @@ void write_frames(const fs::path& folder, const std::vector<RgbaImage>& frames) 
 }
 
 } // namespace
+
+bool wants(const RenderRequest& request, const std::string& format, bool first) {
+    if (!request.formats.empty())
+        return std::find(request.formats.begin(), request.formats.end(), format) != request.formats.end();
+    if (format == "webp") return webp_available();
+    return format == "gif" && first && gif_available();
+}
+
+bool wants_pictures(const RenderRequest& request) {
+    return request.formats.empty() || std::any_of(request.formats.begin(), request.formats.end(),
+                                                  [](const std::string& format) { return format != "bvh"; });
+}
 
 Film blank_film(double duration, double fps) {
     Film film;

@@ -15,11 +15,14 @@ struct Film {
     double fps = 25;
 };
 
+// Whether a format is asked for; without any it is WebP, and GIF when `first`.
+bool wants(const RenderRequest& request, const std::string& format, bool first);
+bool wants_pictures(const RenderRequest& request); // not BVH alone
+
 // An empty film for a loop of `duration` seconds: a whole number of frames that fills it, at about the wanted rate.
 Film blank_film(double duration, double fps);
 
-// Writes folder/<stem>.webp and so on in the wanted formats; PNG frames go to `frames_folder`. Without wanted formats it
-// is WebP, and GIF when `first`.
+// Writes folder/<stem>.webp and so on in the wanted formats; PNG frames go to `frames_folder`.
 void write_film(const Film& film, const std::filesystem::path& folder, const std::string& stem,
                 const std::filesystem::path& frames_folder, const RenderRequest& request, bool first);
 

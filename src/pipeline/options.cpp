@@ -122,6 +122,8 @@ template <class Visitor> void visit_options(Options& o, Visitor visit) {
     visit_identification(o.identification, visit);
     visit_rigging(o.rigging, visit);
     visit("animation.samples", o.animation.samples, 2, 1000);
+    visit("animation.motion_start", o.animation.motion_start, 0.0, 1e6);
+    visit("animation.motion_seconds", o.animation.motion_seconds, 0.01, 600.0);
 }
 
 using Choices = std::initializer_list<const char*>;

@@ -20,7 +20,7 @@ constexpr const char* own_files[] = {
     "drawing.png",  "mask.png",      "labels.png",          "segmentation.json", "contour.json",
     "skeleton.png", "skeleton.json", "identification.json", "mapping.json",      "mesh.obj",
     "mesh.mtl",     "weights.txt",   "character.glb"};
-constexpr const char* film_endings[] = {".webp", ".gif", ".apng", ".mp4"};
+constexpr const char* film_endings[] = {".webp", ".gif", ".apng", ".mp4", ".bvh"};
 
 bool is_own_file(const std::string& name) {
     if (std::find(std::begin(own_files), std::end(own_files), name) != std::end(own_files)) return true;

@@ -46,9 +46,10 @@ std::string animate_character(Character& character, Workshop& workshop,
 
 Page animate(const fs::path& image, const fs::path& out, const Settings& settings) {
     Workshop workshop(settings);
-    // Weights and references first: when they are bad nothing is written.
+    // Weights, references and motion first: when they are bad nothing is written.
     workshop.segmenter();
     workshop.references();
+    workshop.motion();
     if (!settings.given.reference.empty()) workshop.reference(settings.given.reference);
 
     // Step 1 (4.2): the page to characters.

@@ -1,8 +1,11 @@
 // Step 6: the clips as frames, and the frames as files. Frames do not depend on each other, so threads share
 // them out.
 #include <algorithm>
+#include <iterator>
 
+#include "core/file.hpp"
 #include "pantin/network.hpp"
+#include "pipeline/clips.hpp"
 #include "pipeline/film.hpp"
 #include "pipeline/stages.hpp"
 
@@ -24,16 +27,27 @@ Film shoot(const Rig& rig, const BoneAnimation& animation, const RgbaImage& text
     return film;
 }
 
-std::vector<ReferenceClip> chosen_clips(const ReferenceSkeleton& reference, const std::string& wanted) {
-    if (reference.clips.empty()) throw CharacterRejected("render", "the " + reference.name + " has no clips");
-    if (wanted == "all") return reference.clips;
+// The animations to show, by name. CharacterRejected when there is none.
+std::vector<BoneAnimation> chosen(const std::vector<BoneAnimation>& all, const std::string& reference,
+                                  const std::string& wanted) {
+    if (all.empty()) throw CharacterRejected("render", "the " + reference + " has no clips");
+    if (wanted == "all") return all;
     std::string names;
-    for (const ReferenceClip& clip : reference.clips) {
-        if (clip.name == wanted) return {clip};
-        names += (names.empty() ? "" : ", ") + clip.name;
+    for (const BoneAnimation& animation : all) {
+        if (animation.name == wanted) return {animation};
+        names += (names.empty() ? "" : ", ") + animation.name;
     }
-    throw CharacterRejected("render",
-                            "the " + reference.name + " has no clip '" + wanted + "' (" + names + ")");
+    throw CharacterRejected("render", "the " + reference + " has no clip '" + wanted + "' (" + names + ")");
+}
+
+// The view holds every clip, so that all films of a character show it at the same size; a recorded motion, which may go
+// a long way, has a view of its own.
+View view_for(const Rig& rig, const BoneAnimation& animation, const std::vector<BoneAnimation>& all,
+              const std::string& motion) {
+    if (animation.name == motion) return view_of(rig, {animation});
+    std::vector<BoneAnimation> clips;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(clips), [&](const BoneAnimation& a) { return a.name != motion; });
+    return view_of(rig, clips);
 }
 
 } // namespace
@@ -42,22 +56,17 @@ void run_render(Character& character, Workshop& workshop) {
     const Settings& settings = workshop.settings();
     const Rig& rig = rig_of(character, workshop);
     const ReferenceSkeleton& reference = workshop.reference(identification_of(character, workshop).reference);
-    const std::vector<ReferenceClip> chosen = chosen_clips(reference, settings.render.clip);
-    // The view holds every clip, so that all films of a character show it at the same size.
-    std::vector<BoneAnimation> animations;
-    for (const ReferenceClip& clip : reference.clips)
-        animations.push_back(retarget(rig, reference, clip, settings.options.animation.samples));
-    const View view = view_of(rig, animations);
+    const std::vector<BoneAnimation> all = animations_of(rig, reference, workshop);
     const RgbaImage texture = make_texture(drawing_of(character), labels_of(character));
-
-    for (const BoneAnimation& animation : animations) {
-        if (std::none_of(chosen.begin(), chosen.end(),
-                         [&](auto& clip) { return clip.name == animation.name; }))
-            continue;
-        const bool first = animation.name == reference.clips.front().name;
+    const std::string motion = workshop.motion() ? workshop.motion()->motion.name : "";
+    for (const BoneAnimation& animation : chosen(all, reference.name, settings.render.clip)) {
+        const bool first = animation.name == all.front().name;
         const std::string name = first ? "animation" : "animation-" + animation.name;
-        write_film(shoot(rig, animation, texture, view, settings), character.folder, name,
-                   character.folder / "frames" / animation.name, settings.render, first);
+        if (wants(settings.render, "bvh", first))
+            write_file(character.folder / (name + ".bvh"), to_bvh(rig, animation));
+        if (!wants_pictures(settings.render)) continue;
+        write_film(shoot(rig, animation, texture, view_for(rig, animation, all, motion), settings), character.folder,
+                   name, character.folder / "frames" / animation.name, settings.render, first);
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "pantin/image.hpp"
 #include "pantin/network.hpp"
+#include "pipeline/clips.hpp"
 #include "pipeline/film.hpp"
 
 namespace pantin {
@@ -28,11 +29,11 @@ struct Place {
     FrameRenderer renderer;
 };
 
-// The wanted clip where the reference has it, else its first one.
-const ReferenceClip& clip_for(const ReferenceSkeleton& reference, const std::string& wanted) {
-    for (const ReferenceClip& clip : reference.clips)
-        if (clip.name == wanted) return clip;
-    return reference.clips.front();
+// The wanted one where there is such, else the first.
+BoneAnimation animation_for(const std::vector<BoneAnimation>& all, const std::string& wanted) {
+    for (const BoneAnimation& animation : all)
+        if (animation.name == wanted) return animation;
+    return all.front();
 }
 
 std::vector<Actor> cast(const Page& page, std::vector<Character>& characters, Workshop& workshop) {
@@ -46,8 +47,7 @@ std::vector<Actor> cast(const Page& page, std::vector<Character>& characters, Wo
         Actor actor;
         actor.rig = &rig_of(character, workshop);
         actor.texture = make_texture(drawing_of(character), labels_of(character));
-        actor.animation = retarget(*actor.rig, reference, clip_for(reference, workshop.settings().render.clip),
-                                   workshop.options().animation.samples);
+        actor.animation = animation_for(animations_of(*actor.rig, reference, workshop), workshop.settings().render.clip);
         actor.box = page.characters[i].box;
         actors.push_back(std::move(actor));
     }

@@ -3,6 +3,7 @@
 #include "core/file.hpp"
 #include "pantin/export.hpp"
 #include "pantin/image.hpp"
+#include "pipeline/clips.hpp"
 #include "pipeline/json_files.hpp"
 #include "pipeline/trace.hpp"
 
@@ -49,9 +50,7 @@ void run_rig(Character& character, Workshop& workshop) {
                                        workshop.references(), workshop.options().rigging)
                                  : rig_from_mapping(character, workshop, mapping);
     const ReferenceSkeleton& reference = workshop.reference(identification.reference);
-    std::vector<BoneAnimation> animations;
-    for (const ReferenceClip& clip : reference.clips)
-        animations.push_back(retarget(result, reference, clip, workshop.options().animation.samples));
+    const std::vector<BoneAnimation> animations = animations_of(result, reference, workshop);
     const RgbaImage texture = make_texture(drawing_of(character), labels_of(character));
 
     const std::filesystem::path& folder = character.folder;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "pantin/motion.hpp"
 #include "pantin/pipeline.hpp"
 
 namespace pantin {
@@ -23,6 +24,12 @@ public:
     // Error(input) when a reference file is invalid.
     const std::vector<ReferenceSkeleton>& references();
     const ReferenceSkeleton& reference(const std::string& name);
+    // The recorded motion of the settings, or null. When it is read its table of joints goes to `notice`. Error(input).
+    struct NamedMotion {
+        Motion motion;
+        MotionJoints joints;
+    };
+    const NamedMotion* motion();
 
     void progress(const std::string& what, double share = 0) const {
         if (settings_.progress) settings_.progress(what, share);
@@ -38,6 +45,7 @@ private:
     std::optional<CharacterFinder> finder_;
     std::optional<Segmenter> segmenter_;
     std::optional<std::vector<ReferenceSkeleton>> references_;
+    std::optional<NamedMotion> motion_;
 };
 
 } // namespace pantin
