@@ -50,8 +50,18 @@ struct ReferenceClip {
     double duration = 1; // seconds
     std::vector<ReferenceTrack> tracks;
 };
+// A condition on the drawing: a trait of docs/identification.md, or "limb_ends" or "wing_ends" (numbers of such
+// end-effectors), lies between `low` and `high`.
+struct ReferenceNeed {
+    std::string quantity;
+    double low = 0, high = 0;
+};
 struct ReferenceSkeleton {
     std::string name;
+    // The reference whose evidence this one shares, or "any": that of the best. "" for one that stands on its own.
+    std::string like;
+    // Where all hold, the reference is chosen before the one that it is like; where one does not, it is no candidate.
+    std::vector<ReferenceNeed> needs;
     std::vector<ReferenceNode> nodes;
     std::vector<std::pair<int, int>> edges;
     std::vector<ReferenceJoint> joints;
@@ -60,7 +70,7 @@ struct ReferenceSkeleton {
 
 ReferenceSkeleton parse_reference(std::span<const unsigned char> json, const std::string& source);
 // Error(input) names `source`, the place and the fact.
-// The compiled-in references (order: humanoid, quadruped, flying); those of `directory`, when not empty,
+// The compiled-in references (order: humanoid, quadruped, flying, bird, insect, fish); those of `directory`, when not empty,
 // replace the ones of their name or are added. Error(input) names the file.
 std::vector<ReferenceSkeleton> load_references(const std::filesystem::path& directory = {});
 
@@ -108,6 +118,7 @@ struct IdentificationOptions {
     bool thesis_score = false; // `thesis`: score = ggd, K_v = 0.38 for the quadruped (ERRATA 8), not mirrored
     bool use_evidence = true;  // presence and place of parts enter the score (ERRATA 10); false: score = the
                                // divided distance, ggd / (K_e Σ|e'|) (ERRATA 9)
+    std::string reference; // decides when not empty, whatever the scores are
     bool use_ilp = false; // `thesis`: solve the ILP with GLPK too, asserted equal to the branch and bound
 };
 
@@ -125,15 +136,17 @@ struct Candidate {
 };
 struct Identification {
     std::string reference;
-    // exp(−score of the best) / Σ exp(−score) over all candidates: with evidence the probability that the
-    // fitted model gives its decision (equal priors of the three types), else a plain soft minimum.
+    std::string type; // what the reference is like, or its own name: "humanoid", "quadruped", "flying", "fish", …
+    // exp(−score of the best) / Σ exp(−score) over the candidates that stand on their own (a reference that is like
+    // another has that one's): with evidence the probability that the fitted model gives its decision (equal priors of the
+    // three types), else a plain soft minimum.
     double confidence = 0;
     std::vector<Candidate> candidates; // from best to worst
 };
 
 // Throws CharacterRejected("identify", …) for what cannot move: a skeleton without an edge, more than 24 ends
 // (a scribble), one label only, or neither an end nor 2 % of the silhouette that is limb, wing or tail (a
-// head alone).
+// head alone). Error(input) when `options.reference` is none of the references.
 Identification identify(const SkeletonGraph& graph, const LabelMap& labels,
                         const std::vector<ReferenceSkeleton>& references,
                         const IdentificationOptions& options = {});

@@ -69,6 +69,17 @@ void add_rig(CLI::App& app, Run& run) {
                      "mapping.json with the pairs of end-effectors to use instead of matching");
 }
 
+void add_identify(CLI::App& app, Run& run) {
+    const auto reference = std::make_shared<std::string>();
+    const auto identify_as = [reference](const std::filesystem::path& folder, Settings settings) {
+        settings.given.reference = *reference;
+        identify_folder(folder, settings);
+    };
+    add_folder_command(app, run, "identify", "step 4: the skeleton to the reference that it moves like",
+                       std::make_shared<FolderArguments>(), identify_as)
+        ->add_option("--reference", *reference, "the reference to use, whatever the scores are");
+}
+
 void add_render(CLI::App& app, Run& run) {
     const auto arguments = std::make_shared<FolderArguments>();
     CLI::App* command = add_folder_command(app, run, "render", "frames, WebP and GIF of the clips", arguments,
@@ -86,7 +97,7 @@ void add_steps(CLI::App& app, Run& run) {
     add_detect(app, run);
     add("segment", "step 2: the character to part labels", segment_folder);
     add("skeletonize", "step 3: part labels to the skeleton", skeletonize_folder);
-    add("identify", "step 4: the skeleton to the reference that it moves like", identify_folder);
+    add_identify(app, run);
     add_rig(app, run);
     add_render(app, run);
 }

@@ -54,7 +54,7 @@ void read_files(Answer& answer, const fs::path& folder) {
     if (const fs::path file = folder / "identification.json"; fs::exists(file)) {
         const nlohmann::ordered_json json = parse_json(read_text(file), file.string());
         const JsonReader reader(json, file.string());
-        answer.reference = reader.at("reference").text();
+        answer.reference = reader.at("type").text();
         answer.confidence = reader.at("confidence").number(0, 1);
     }
 }

@@ -16,6 +16,9 @@ constexpr double ilp_margin = 1e-6; // GLPK's own tolerance on sums
 constexpr double smallest_part =
     0.02; // share of the silhouette that can move although no skeleton end lies in it
 
+// A reference whose needs are met is chosen before the one that it is like, and changes nothing between types.
+constexpr double special_bonus = 0.01;
+
 // Of the borders between parts against the root of the silhouette's area. Real drawings measured here stay
 // below 5; a scribble, where the network finds parts in patches, is at 8.
 constexpr double most_inner_border = 6;
@@ -135,6 +138,7 @@ std::string type_of(const ReferenceSkeleton& reference) {
     std::string nearest;
     double smallest = 0;
     for (const ReferenceSkeleton& known : load_references()) {
+        if (!has_evidence(known.name)) continue;
         const double d = geometric_graph_distance(graph, normalised(to_labelled_graph(known))).distance;
         const double divided = d / reference_cost(known, {});
         if (!nearest.empty() && divided >= smallest) continue;
@@ -159,11 +163,39 @@ void score(Candidate& candidate, const ReferenceSkeleton& reference, const Trait
     for (const auto& [name, contribution] : candidate.evidence) candidate.score += contribution;
 }
 
-// exp(−best) / Σ exp(−score): the posterior of the fitted model under equal priors.
-double confidence_of(const std::vector<Candidate>& candidates) {
+bool stands_alone(const ReferenceSkeleton& reference) { return reference.like.empty(); }
+
+bool needs_met(const ReferenceSkeleton& reference, const SkeletonGraph& graph, const Traits& traits) {
+    return std::all_of(reference.needs.begin(), reference.needs.end(), [&](const ReferenceNeed& need) {
+        const double value = quantity(need.quantity, graph, traits);
+        return value >= need.low && value <= need.high;
+    });
+}
+
+// The candidate that the reference is like; the best one for "any". Null when there is none.
+const Candidate* model_of(const ReferenceSkeleton& reference, const std::vector<Candidate>& standing) {
+    if (reference.like == "any") return &standing.front();
+    const auto found = std::find_if(standing.begin(), standing.end(),
+                                    [&](const Candidate& c) { return c.reference == reference.like; });
+    return found == standing.end() ? nullptr : &*found;
+}
+
+// exp(−score) / Σ exp(−score): the posterior of the fitted model under equal priors.
+double confidence_of(const Candidate& model, const std::vector<Candidate>& standing) {
     double sum = 0;
-    for (const Candidate& c : candidates) sum += math::exp(candidates.front().score - c.score);
+    for (const Candidate& c : standing) sum += math::exp(model.score - c.score);
     return 1 / sum;
+}
+
+void sort_by_score(std::vector<Candidate>& candidates) {
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
+}
+
+const ReferenceSkeleton& named(const std::vector<ReferenceSkeleton>& references, const std::string& name) {
+    const auto found = std::find_if(references.begin(), references.end(), [&](auto& r) { return r.name == name; });
+    if (found == references.end()) throw Error(ErrorKind::input, "there is no reference '" + name + "'");
+    return *found;
 }
 
 } // namespace
@@ -175,15 +207,42 @@ Identification identify(const SkeletonGraph& graph, const LabelMap& labels,
     reject_what_cannot_move(graph, labels);
     const LabelledGraph drawn = normalised(to_labelled_graph(graph));
     const Traits traits = measure_traits(graph, labels);
-    Identification result;
+    std::vector<Candidate> standing;
     for (const ReferenceSkeleton& reference : references) {
-        result.candidates.push_back(compare(drawn, reference, options));
-        score(result.candidates.back(), reference, traits, options);
+        if (!stands_alone(reference)) continue;
+        standing.push_back(compare(drawn, reference, options));
+        score(standing.back(), reference, traits, options);
     }
-    std::stable_sort(result.candidates.begin(), result.candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
-    result.reference = result.candidates.front().reference;
-    result.confidence = confidence_of(result.candidates);
+    if (standing.empty()) throw Error(ErrorKind::input, "every reference skeleton is like another one");
+    sort_by_score(standing);
+    Identification result;
+    result.candidates = standing;
+    const bool with_evidence = options.use_evidence && !options.thesis_score;
+    for (const ReferenceSkeleton& reference : references) {
+        const Candidate* model = stands_alone(reference) ? nullptr : model_of(reference, standing);
+        const bool wanted = reference.name == options.reference;
+        if (!model || !(wanted || (with_evidence && needs_met(reference, graph, traits)))) continue;
+        Candidate candidate = compare(drawn, reference, options);
+        score(candidate, reference, traits, options);
+        if (with_evidence) {
+            candidate.evidence = model->evidence;
+            candidate.evidence.emplace_back("special", -special_bonus);
+            candidate.score = model->score - special_bonus;
+        }
+        result.candidates.push_back(std::move(candidate));
+    }
+    sort_by_score(result.candidates);
+    result.reference = options.reference.empty() ? result.candidates.front().reference : options.reference;
+    const ReferenceSkeleton& chosen = named(references, result.reference);
+    if (stands_alone(chosen)) {
+        result.type = has_evidence(chosen.name) ? chosen.name : type_of(chosen);
+        const auto own = std::find_if(standing.begin(), standing.end(), [&](auto& c) { return c.reference == chosen.name; });
+        result.confidence = confidence_of(*own, standing);
+    } else {
+        result.type = chosen.like == "any" ? chosen.name : chosen.like;
+        const Candidate* model = model_of(chosen, standing);
+        result.confidence = model ? confidence_of(*model, standing) : 0;
+    }
     return result;
 }
 

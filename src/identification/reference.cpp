@@ -11,6 +11,7 @@
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
 #include "core/resources.hpp"
+#include "identification/traits.hpp"
 #include "pantin/error.hpp"
 #include "pantin/identification.hpp"
 
@@ -136,10 +137,28 @@ void require_connected(const JsonReader& reader, const ReferenceSkeleton& skelet
             reader.fail("no path of edges leads to '" + skeleton.nodes[i].name + "'");
 }
 
+std::vector<ReferenceNeed> read_needs(const JsonReader& reader) {
+    std::vector<ReferenceNeed> needs;
+    for (const auto& [name, range] : reader.entries()) {
+        if (std::find(trait_names.begin(), trait_names.end(), name) == trait_names.end() &&
+            std::find(count_names.begin(), count_names.end(), name) == count_names.end())
+            reader.fail("there is no trait '" + name + "'");
+        const std::vector<JsonReader> bounds = range.elements(2, 2);
+        needs.push_back({name, bounds[0].number(-1000, 1000), bounds[1].number(-1000, 1000)});
+        if (needs.back().low > needs.back().high) range.fail("the lower bound is above the upper one");
+    }
+    return needs;
+}
+
 ReferenceSkeleton read_skeleton(const JsonReader& reader) {
-    expect_keys(reader, {"name", "nodes", "edges", "joints", "clips"});
+    expect_keys(reader, {"name", "like", "needs", "nodes", "edges", "joints", "clips"});
     ReferenceSkeleton skeleton;
     skeleton.name = read_name(reader.at("name"));
+    if (reader.has("like")) skeleton.like = read_name(reader.at("like"));
+    if (reader.has("needs")) {
+        if (skeleton.like.empty()) reader.at("needs").fail("a reference with needs is \"like\" another");
+        skeleton.needs = read_needs(reader.at("needs"));
+    }
     for (const JsonReader& node : reader.at("nodes").elements(0, max_nodes))
         skeleton.nodes.push_back(read_node(node, skeleton.nodes));
     if (skeleton.nodes.size() < 2) reader.at("nodes").fail("a reference has at least two nodes");
@@ -175,7 +194,7 @@ ReferenceSkeleton parse_reference(std::span<const unsigned char> bytes, const st
 
 std::vector<ReferenceSkeleton> load_references(const std::filesystem::path& directory) {
     std::vector<ReferenceSkeleton> all;
-    for (const char* name : {"humanoid", "quadruped", "flying"}) {
+    for (const char* name : {"humanoid", "quadruped", "flying", "bird", "insect", "fish"}) {
         const std::string path = std::string("references/") + name + ".json";
         all.push_back(parse_reference(find_resource(path), path));
     }

@@ -36,6 +36,11 @@ inline constexpr std::array<std::string_view, trait_count> trait_names = {
     "leg_length",      "head_above",       "upright",       "body_upright"};
 
 using Traits = std::array<double, trait_count>;
+
+// Numbers that a reference may need besides the traits (ReferenceNeed).
+inline constexpr std::array<std::string_view, 2> count_names = {"limb_ends", "wing_ends"};
+// A trait or a count by its name.
+double quantity(std::string_view name, const SkeletonGraph& graph, const Traits& traits);
 Traits measure_traits(const SkeletonGraph& graph, const LabelMap& labels);
 
 // A part of a label map: what remains of a label when specks are dropped.

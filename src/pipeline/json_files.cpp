@@ -235,6 +235,7 @@ SkeletonGraph skeleton_from_json(const std::string& text, const std::string& fil
 std::string identification_to_json(const Identification& identification) {
     Json json;
     json["reference"] = identification.reference;
+    json["type"] = identification.type;
     json["confidence"] = identification.confidence;
     json["candidates"] = Json::array();
     for (const Candidate& candidate : identification.candidates)
@@ -249,6 +250,7 @@ Identification identification_from_json(const std::string& text, const std::stri
     const JsonReader reader(json, file);
     Identification identification;
     identification.reference = reader.at("reference").text();
+    if (reader.has("type")) identification.type = reader.at("type").text();
     identification.confidence = reader.at("confidence").number(0, 1);
     for (const JsonReader& item : reader.at("candidates").elements(1, 1000))
         identification.candidates.push_back(read_candidate(item, graph, references));

@@ -36,9 +36,9 @@ void run_skeletonize(Character& character, Workshop& workshop) {
 }
 
 void run_identify(Character& character, Workshop& workshop) {
-    Identification result = identify(skeleton_of(character), labels_of(character), workshop.references(),
-                                     workshop.options().identification);
-    if (const std::string& given = workshop.settings().given.reference; !given.empty()) result.reference = given;
+    IdentificationOptions options = workshop.options().identification;
+    options.reference = workshop.settings().given.reference;
+    Identification result = identify(skeleton_of(character), labels_of(character), workshop.references(), options);
     write_file(character.folder / "identification.json", identification_to_json(result));
     character.identification = std::move(result);
 }

@@ -92,8 +92,11 @@ TEST_CASE("a bone turns about its inner end and carries its children") {
 
 TEST_CASE("every clip of the compiled-in references loops exactly") {
     const Character c = table();
-    const Rig rig = rig_of(c);
-    for (const ReferenceSkeleton& reference : load_references())
+    const Rig table_rig = rig_of(c);
+    for (const ReferenceSkeleton& reference : load_references()) {
+        Rig rig = table_rig;
+        for (Bone& bone : rig.bones) // the bones of a table, whatever the reference calls them
+            if (bone.reference_joint >= static_cast<int>(reference.joints.size())) bone.reference_joint = -1;
         for (const ReferenceClip& clip : reference.clips) {
             const BoneAnimation animation = retarget(rig, reference, clip, 24);
             CAPTURE(reference.name, clip.name);
@@ -108,12 +111,13 @@ TEST_CASE("every clip of the compiled-in references loops exactly") {
             const auto first = skin(rig, animation, 0), last = skin(rig, animation, clip.duration);
             for (std::size_t v = 0; v < first.size(); ++v) CHECK(distance_of(first[v], last[v]) == 0);
         }
+    }
 }
 
 TEST_CASE("each reference has a moving clip first and a calm one, and every joint moves in the first") {
     for (const ReferenceSkeleton& reference : load_references()) {
         REQUIRE(reference.clips.size() >= 2);
-        CHECK(reference.clips[0].name == (reference.name == "flying" ? "fly" : "walk"));
+        CHECK(reference.clips[0].name == (reference.name == "flying" ? "fly" : reference.name == "fish" ? "swim" : "walk"));
         CHECK(reference.clips[1].name == "idle");
         for (std::size_t j = 0; j < reference.joints.size(); ++j)
             CHECK(std::any_of(

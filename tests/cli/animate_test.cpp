@@ -108,7 +108,7 @@ TEST_CASE("Every JSON file has the documented keys in their order", "[cli][end-t
         CHECK(keys_of(skeleton["vertices"].at(0)) == Keys{"id", "x", "y", "label", "kind"});
         CHECK(keys_of(skeleton["edges"].at(0)) == Keys{"u", "v", "length", "pixels"});
         const Json identification = json_of(folder / "identification.json");
-        CHECK(keys_of(identification) == Keys{"reference", "confidence", "candidates"});
+        CHECK(keys_of(identification) == Keys{"reference", "type", "confidence", "candidates"});
         for (const Json& candidate : identification["candidates"])
             CHECK(keys_of(candidate) ==
                   Keys{"reference", "mirrored", "distance", "score", "evidence", "optimal", "pairs"});

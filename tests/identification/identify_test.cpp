@@ -78,18 +78,19 @@ TEST_CASE("size does not change what a figure is") {
 
 TEST_CASE("candidates are sorted, complete and account for their score") {
     const Identification found = identify_map(paint(200, 250, figures::humanoid()));
-    REQUIRE(found.candidates.size() == 3);
+    REQUIRE(found.candidates.size() >= 3);
     CHECK(found.reference == found.candidates[0].reference);
     double sum = 0;
     for (const Candidate& c : found.candidates) {
         CHECK(c.optimal);
         CHECK(c.score >= found.candidates[0].score);
-        REQUIRE(c.evidence.size() == 2 + trait_count);
+        const bool special = !c.evidence.empty() && c.evidence.back().first == "special";
+        REQUIRE(c.evidence.size() == (special ? 3u : 2u) + trait_count);
         CHECK(c.evidence[0].first == "graph");
         double score = 0;
         for (const auto& [name, contribution] : c.evidence) score += contribution;
         CHECK(score == Approx(c.score));
-        sum += std::exp(found.candidates[0].score - c.score);
+        if (!special) sum += std::exp(found.candidates[0].score - c.score);
     }
     CHECK(found.confidence == Approx(1 / sum));
 }
@@ -157,7 +158,9 @@ TEST_CASE("the thesis scores with the distance alone, K_v = 0.38 for the quadrup
     const LabelMap labels = figures::mirrored(paint(250, 200, figures::quadruped()));
     const SkeletonGraph graph = skeletonize(labels).graph;
     const Identification found = identify(graph, labels, load_references(), thesis);
+    CHECK(found.candidates.size() == 3);
     for (const ReferenceSkeleton& reference : load_references()) {
+        if (!reference.like.empty()) continue;
         const Candidate& c = candidate(found, reference.name);
         GgdOptions ggd;
         if (reference.name == "quadruped") ggd.k_v = 0.38;
@@ -195,6 +198,62 @@ TEST_CASE("a reference of one's own shares the evidence of the nearest compiled-
     REQUIRE(a.evidence.size() == b.evidence.size());
     for (std::size_t i = 1; i < a.evidence.size(); ++i) CHECK(a.evidence[i] == b.evidence[i]);
     CHECK((found.reference == "fox" || found.reference == "quadruped"));
+}
+
+namespace {
+
+// The quadruped with one more condition.
+std::vector<ReferenceSkeleton> with_special(const ReferenceNeed& need, const std::string& like = "quadruped") {
+    std::vector<ReferenceSkeleton> references = load_references();
+    references.resize(3);
+    ReferenceSkeleton special = references[1];
+    special.name = "special";
+    special.like = like;
+    special.needs = {need};
+    references.push_back(special);
+    return references;
+}
+
+} // namespace
+
+TEST_CASE("a special reference is chosen where its needs are met, and changes neither type nor confidence") {
+    const LabelMap labels = paint(250, 200, figures::quadruped());
+    const SkeletonGraph graph = skeletonize(labels).graph;
+    const Identification plain = identify(graph, labels, with_special({"wing_ends", 1, 9}));
+    CHECK(plain.reference == "quadruped");
+    CHECK(plain.type == "quadruped");
+    CHECK(plain.candidates.size() == 3);
+    const Identification found = identify(graph, labels, with_special({"limb_ends", 4, 4}));
+    CHECK(found.reference == "special");
+    CHECK(found.type == "quadruped");
+    CHECK(found.confidence == plain.confidence);
+    CHECK(found.candidates.size() == 4);
+    double sum = 0;
+    for (const auto& [name, value] : found.candidates[0].evidence) sum += value;
+    CHECK(sum == Approx(found.candidates[0].score));
+    // Met, but like another type: no better than that one.
+    CHECK(identify(graph, labels, with_special({"limb_ends", 4, 4}, "flying")).reference == "quadruped");
+    CHECK(identify(graph, labels, with_special({"limb_ends", 4, 4}, "any")).type == "special");
+    CHECK(identify(graph, labels, with_special({"limb_ends", 4, 4}, "dragon")).reference == "quadruped");
+    IdentificationOptions thesis;
+    thesis.use_evidence = false;
+    CHECK(identify(graph, labels, with_special({"limb_ends", 4, 4}), thesis).reference == "quadruped");
+}
+
+TEST_CASE("the user's reference decides, its needs met or not") {
+    const LabelMap labels = paint(250, 200, figures::quadruped());
+    const SkeletonGraph graph = skeletonize(labels).graph;
+    IdentificationOptions options;
+    for (const std::string name : {"flying", "bird", "fish", "quadruped"}) {
+        options.reference = name;
+        const Identification found = identify(graph, labels, load_references(), options);
+        CHECK(found.reference == name);
+        CHECK_FALSE(candidate(found, name).pairs.empty());
+        CHECK(found.confidence > 0);
+        CHECK(found.confidence <= 1);
+    }
+    options.reference = "dragon";
+    CHECK_THROWS_WITH(identify(graph, labels, load_references(), options), "there is no reference 'dragon'");
 }
 
 TEST_CASE("parts are measured without specks, in any place") {

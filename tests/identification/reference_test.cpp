@@ -56,20 +56,36 @@ struct Folder {
 
 } // namespace
 
-TEST_CASE("the compiled-in references are the three of the thesis, in a fixed order") {
+TEST_CASE("the compiled-in references are the three of the thesis and those that are like them, in a fixed order") {
     const auto all = load_references();
-    REQUIRE(all.size() == 3);
-    CHECK(all[0].name == "humanoid");
-    CHECK(all[1].name == "quadruped");
-    CHECK(all[2].name == "flying");
+    std::vector<std::string> names, alone;
     for (const ReferenceSkeleton& reference : all) {
+        names.push_back(reference.name);
+        if (reference.like.empty()) alone.push_back(reference.name);
+        CHECK(reference.like.empty() == reference.needs.empty());
         CHECK(reference.edges.size() + 1 == reference.nodes.size()); // a tree
         std::set<Label> labels;
         for (const ReferenceNode& node : reference.nodes) labels.insert(node.label);
         CHECK(labels.count(Label::head) == 1);
-        CHECK(labels.count(Label::limb) == 1);
+        CHECK(labels.count(Label::limb) == (reference.name != "fish"));
         CHECK(labels.count(Label::wing) == (reference.name == "flying"));
     }
+    CHECK(names == std::vector<std::string>{"humanoid", "quadruped", "flying", "bird", "insect", "fish"});
+    CHECK(alone == std::vector<std::string>{"humanoid", "quadruped", "flying"});
+}
+
+TEST_CASE("the needs of a reference are read, and refused when they make no sense") {
+    const auto with = [](const std::string& more) { return replaced("\"name\": \"fox\",", "\"name\": \"fox\", " + more); };
+    const ReferenceSkeleton skeleton = parse(with("\"like\": \"any\", \"needs\": {\"limb_ends\": [3, 5]},"));
+    CHECK(skeleton.like == "any");
+    REQUIRE(skeleton.needs.size() == 1);
+    CHECK(skeleton.needs[0].quantity == "limb_ends");
+    CHECK(skeleton.needs[0].low == 3);
+    CHECK(skeleton.needs[0].high == 5);
+    CHECK_THAT(failure(with("\"needs\": {},")), Contains("needs: a reference with needs is \"like\" another"));
+    CHECK_THAT(failure(with("\"like\": \"any\", \"needs\": {\"fins\": [0, 1]},")), Contains("needs: there is no trait 'fins'"));
+    CHECK_THAT(failure(with("\"like\": \"any\", \"needs\": {\"limb_ends\": [5, 3]},")),
+               Contains("needs.limb_ends: the lower bound is above the upper one"));
 }
 
 TEST_CASE("a reference is read as written") {
@@ -135,11 +151,11 @@ TEST_CASE("a directory replaces references of the same name and adds others") {
     folder.write("a.json", replaced("\"name\": \"fox\"", "\"name\": \"humanoid\""));
     folder.write("notes.txt", "not a reference");
     const auto all = load_references(folder.path);
-    REQUIRE(all.size() == 4);
+    REQUIRE(all.size() == 7);
     CHECK(all[0].name == "humanoid");
     CHECK(all[0].nodes.size() == 2);
     CHECK(all[1].name == "quadruped");
-    CHECK(all[3].name == "fox");
+    CHECK(all[6].name == "fox");
 }
 
 TEST_CASE("a directory that is missing, empty or ambiguous is an error that names it") {

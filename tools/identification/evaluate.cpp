@@ -89,9 +89,9 @@ void evaluate(const LabelMap& labels, const std::vector<ReferenceSkeleton>& refe
     const Identification found = identify(skeleton.graph, labels, references);
     const Identification thesis = identify(skeletonize(labels, arc).graph, labels, references, literal);
     const Identification ratio = identify(skeleton.graph, labels, references, plain);
-    std::printf("\t%s\t%s\t%s\t%.4f", thesis.reference.c_str(), ratio.reference.c_str(),
+    std::printf("\t%s\t%s\t%s\t%s\t%.4f", thesis.reference.c_str(), ratio.reference.c_str(), found.type.c_str(),
                 found.reference.c_str(), found.confidence);
-    for (const ReferenceSkeleton& r : references) std::printf("\t%.6f", divided(ratio, r.name));
+    for (const char* type : {"humanoid", "quadruped", "flying"}) std::printf("\t%.6f", divided(ratio, type));
     for (const double t : measure_traits(skeleton.graph, labels)) std::printf("\t%.6f", t);
     const ReferenceSkeleton& best = find(references, found.reference);
     for (const bool aware : {false, true}) {
@@ -106,7 +106,7 @@ void evaluate(const LabelMap& labels, const std::vector<ReferenceSkeleton>& refe
 
 void print_header() {
     std::printf("folder\tid\tclass\ttype\tquality\thead\tbody\tlimb\ttail\twing\tstatus\tthesis\tratio\tfound"
-                "\tconfidence"
+                "\treference\tconfidence"
                 "\tggd_humanoid\tggd_quadruped\tggd_flying");
     for (const auto name : trait_names) std::printf("\t%s", std::string(name).c_str());
     for (const char* form : {"plain", "aware"})
