@@ -1,6 +1,6 @@
 # Pantin. `make demo` and `make test` do everything on a fresh Debian 12, set-up included.
 #   config=release|debug|sanitize   objects and programs go to build/$(config)/
-#   GLPK=0 WEBP=0 GIF=0             build without that library;  STATIC=1  one static binary
+#   GLPK=0 WEBP=0 GIF=0 YAML=0             build without that library;  STATIC=1  one static binary
 #   werror=1                        warnings are errors (CI);    CXX=clang++  another compiler
 #   V=1                             shows the commands
 
@@ -19,9 +19,11 @@ else
 endif
 
 have = $(shell printf '\#include <stdio.h>\n\#include <$(1)>\n' | $(CXX) -E -x c++ - >/dev/null 2>&1 && echo 1)
+have_cxx = $(shell printf '\#include <$(1)>\n' | $(CXX) -E -x c++ - >/dev/null 2>&1 && echo 1)
 GLPK ?= $(call have,glpk.h)
 WEBP ?= $(call have,webp/mux.h)
 GIF ?= $(call have,gif_lib.h)
+YAML ?= $(call have_cxx,yaml-cpp/yaml.h)
 
 # Determinism: no contraction of a*b+c, no fast-math, on any compiler (docs/determinism.md).
 CPPFLAGS += -Iinclude -Isrc -Itools -isystem /usr/include/eigen3 -DPANTIN_VERSION='"$(VERSION)"' \
@@ -63,6 +65,11 @@ endif
 ifeq ($(GIF),1)
   CPPFLAGS += -DPANTIN_GIF=1
   LDLIBS += -lgif
+endif
+
+ifeq ($(YAML),1)
+  CPPFLAGS += -DPANTIN_YAML=1
+  LDLIBS += -lyaml-cpp
 endif
 
 SOURCES := $(sort $(wildcard src/*/*.cpp src/*/*/*.cpp))

@@ -73,6 +73,7 @@ struct Settings {
     std::filesystem::path motion;     // a BVH file that humanoids follow, as one more clip of its name; empty: none
     int rotate = 0;                   // degrees by which a page is first turned clockwise: 0, 90, 180, 270
     int threads = 1;                  // results do not depend on it
+    bool animated_drawings = false;   // humanoids are also written as AnimatedDrawings character folders
     bool trace = false;               // intermediate products are written, too
     RenderRequest render;
     // Called before each step when set; `share` of the work done so far, 0 to 1.
@@ -99,7 +100,7 @@ Page read_page(const std::filesystem::path& file);
 
 // --- the steps ---------------------------------------------------------------------------------------------
 
-// The whole pipeline: `image` to out/page.json and one folder a character (and out/scene.* when that is wanted). A character that cannot go on
+// The whole pipeline: `image`, a picture or an AnimatedDrawings character folder, to out/page.json and one folder a character (and out/scene.* when that is wanted). A character that cannot go on
 // keeps the files it has and says why in its status. Throws Error(not_animated) when none could be animated,
 // after page.json is written; Error(no_character) when there is none.
 Page animate(const std::filesystem::path& image, const std::filesystem::path& out, const Settings& settings);

@@ -67,7 +67,7 @@ int run_animate(const Arguments& arguments) {
 void add_animate(CLI::App& app, Run& run) {
     const auto arguments = std::make_shared<Arguments>();
     CLI::App* command = app.add_subcommand("animate", "the whole pipeline: pages to animated characters");
-    command->add_option("IMAGE", arguments->images, "PNG or JPEG pages; several go to DIR/<name>/")
+    command->add_option("IMAGE", arguments->images, "PNG or JPEG pages, or AnimatedDrawings character folders; several go to DIR/<name>/")
         ->required();
     command->add_option("-o,--output", arguments->out, "folder for the results")->required();
     add_render_options(*command, arguments->render);
@@ -76,6 +76,7 @@ void add_animate(CLI::App& app, Run& run) {
     command->add_option("--labels", arguments->labels, "PNG of the page's size with part labels 0 to 5: no segmentation");
     command->add_option("--reference", arguments->reference, "what every character moves like, whatever identification says");
     add_motion_option(*command, arguments->common);
+    add_animated_drawings_option(*command, arguments->common);
     add_rotate_option(*command, arguments->common);
     add_detector_option(*command, arguments->common);
     add_common_options(*command, arguments->common);

@@ -100,6 +100,11 @@ void add_motion_option(CLI::App& command, CommonOptions& options) {
     command.add_option("--motion", options.motion, "BVH file: humanoids follow it as one more clip, of the file's name");
 }
 
+void add_animated_drawings_option(CLI::App& command, CommonOptions& options) {
+    command.add_flag("--animated-drawings", options.animated_drawings,
+                     "write humanoids as AnimatedDrawings character folders, too");
+}
+
 void add_render_options(CLI::App& command, RenderFlags& flags) {
     command.add_option("--clip", flags.clip, "a clip of the reference, or all")->capture_default_str();
     command.add_option("--fps", flags.fps, "frames per second, 1 to 100")->capture_default_str();
@@ -128,6 +133,7 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
     settings.threads = options.threads > 0 ? options.threads : static_cast<int>(std::min(cores, 256u));
     settings.trace = options.trace;
+    settings.animated_drawings = options.animated_drawings;
     check_formats(flags.formats);
     if (!(flags.fps >= 1 && flags.fps <= 100))
         throw Error(ErrorKind::usage, "--fps: must lie between 1 and 100");

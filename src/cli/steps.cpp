@@ -65,6 +65,7 @@ void add_rig(CLI::App& app, Run& run) {
     CLI::App* command = add_folder_command(app, run, "rig", "step 5: mesh, bones, weights and character.glb", arguments,
                                            rig_with);
     add_motion_option(*command, arguments->common);
+    add_animated_drawings_option(*command, arguments->common);
     command->add_option("--mapping", *mapping,
                      "mapping.json with the pairs of end-effectors to use instead of matching");
 }

@@ -13,7 +13,10 @@ struct GivenCharacter {
     std::optional<LabelMap> labels; // of the mask's size
 };
 
-// The character of the given mask or labels; none when neither is given. `page` is turned already. Error(input) names the
+// The picture of a page: the file itself, or the texture of an AnimatedDrawings folder.
+std::filesystem::path picture_of(const std::filesystem::path& image);
+
+// The character of the given mask or labels, or of an AnimatedDrawings folder; none when there is neither. `page` is turned already. Error(input) names the
 // file that does not fit.
 std::optional<GivenCharacter> given_character(const RgbImage& page, const std::filesystem::path& image,
                                               const Settings& settings);

@@ -53,6 +53,7 @@ template <class Visitor> void visit_segmentation(SegmentationOptions& o, Visitor
     visit("segmentation.mirror", o.mirror);
     visit("segmentation.tilt", o.tilt, 0, 90);
     visit("segmentation.sharpness", o.sharpness, 0, 1000);
+    visit("segmentation.sure_enough", o.sure_enough, 0, 2);
     visit("segmentation.least_sureness", o.least_sureness, 0, 1);
     visit("segmentation.scribble_ratio", o.scribble_ratio, 0, 1000);
     visit("segmentation.fill_probability", o.silhouette.fill_probability, 0, 1);

@@ -38,6 +38,7 @@ void remove_character(const fs::path& folder) {
     for (const fs::path& file : files) fs::remove(file, ignored);
     fs::remove_all(folder / "trace", ignored);
     fs::remove_all(folder / "frames", ignored);
+    fs::remove_all(folder / "animated_drawings", ignored);
     fs::remove(folder, ignored);
 }
 
@@ -86,7 +87,7 @@ Detection detect_on(const RgbImage& page, const fs::path& image, Workshop& works
 DetectedPage run_detect(const fs::path& image, const fs::path& out, Workshop& workshop) {
     workshop.progress("detect");
     const Detector detector = workshop.options().detection.detector;
-    const RgbImage page = turned(load_image(image), workshop.settings().rotate);
+    const RgbImage page = turned(load_image(picture_of(image)), workshop.settings().rotate);
     std::optional<GivenCharacter> given = given_character(page, image, workshop.settings());
     Detection detection;
     if (given)

@@ -1,5 +1,6 @@
 // The driver: from a page to animated characters, one step after the other. The file to read first.
 #include "pantin/pipeline.hpp"
+#include "pipeline/animated_drawings.hpp"
 #include "pipeline/pages.hpp"
 #include "pipeline/scene.hpp"
 #include "pipeline/stages.hpp"
@@ -44,7 +45,10 @@ std::string animate_character(Character& character, Workshop& workshop,
 
 } // namespace
 
-Page animate(const fs::path& image, const fs::path& out, const Settings& settings) {
+Page animate(const fs::path& image, const fs::path& out, const Settings& wanted) {
+    Settings settings = wanted;
+    // Their characters are human figures.
+    if (is_animated_drawings_folder(image) && settings.given.reference.empty()) settings.given.reference = "humanoid";
     Workshop workshop(settings);
     // Weights, references and motion first: when they are bad nothing is written.
     workshop.segmenter();

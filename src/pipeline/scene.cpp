@@ -7,6 +7,7 @@
 #include "pantin/network.hpp"
 #include "pipeline/clips.hpp"
 #include "pipeline/film.hpp"
+#include "pipeline/given.hpp"
 
 namespace pantin {
 
@@ -131,7 +132,7 @@ void run_scene(const std::filesystem::path& image, const std::filesystem::path& 
     Film film = blank_film(common_duration(actors), settings.render.fps);
     const double scale = static_cast<double>(settings.render.picture.size) / std::max(page.width, page.height);
     const auto pixels = [&](int length) { return std::max(1, static_cast<int>(std::floor(scale * length + 0.5))); };
-    const RgbImage drawn = resize(turned(load_image(image), settings.rotate), pixels(page.width), pixels(page.height));
+    const RgbImage drawn = resize(turned(load_image(picture_of(image)), settings.rotate), pixels(page.width), pixels(page.height));
     const RgbaImage paper = empty_paper(drawn, actors, page);
     std::vector<Place> places;
     for (const Actor& actor : actors) places.push_back(place_of(actor, scale, settings.render.picture));

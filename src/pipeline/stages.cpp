@@ -3,6 +3,7 @@
 #include "core/file.hpp"
 #include "pantin/export.hpp"
 #include "pantin/image.hpp"
+#include "pipeline/animated_drawings.hpp"
 #include "pipeline/clips.hpp"
 #include "pipeline/json_files.hpp"
 #include "pipeline/trace.hpp"
@@ -59,6 +60,9 @@ void run_rig(Character& character, Workshop& workshop) {
     write_file(folder / "mesh.mtl", to_mtl("drawing.png"));
     write_file(folder / "weights.txt", to_weights_text(result));
     write_file(folder / "character.glb", to_glb(result, texture, animations));
+    if (workshop.settings().animated_drawings &&
+        !write_animated_drawings(folder / "animated_drawings", result, reference, texture) && workshop.settings().notice)
+        workshop.settings().notice(folder.string() + ": has not the arms and legs of an AnimatedDrawings character");
     character.rig = std::move(result);
 }
 

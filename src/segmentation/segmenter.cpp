@@ -51,7 +51,7 @@ Segmentation Segmenter::segment(const RgbImage& drawing, const Mask& mask,
     const Grid<float> ink = ink_darkness(drawing);
     const segmentation::NetworkResult seen =
         segmentation::look(net, segmentation::to_input(ink, net.input, options.grey_erosion),
-                           {options.mirror, options.tilt, options.sharpness}, runtime);
+                           {options.mirror, options.tilt, options.sharpness, options.sure_enough}, runtime);
 
     Segmentation result;
     result.sureness = seen.sureness;

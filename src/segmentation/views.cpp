@@ -147,14 +147,20 @@ Tensor straightened(const Tensor& parts, const Tilt& tilt) {
 }
 
 NetworkResult look(const Network& net, const Tensor& ink, const Looks& looks, const Runtime& runtime) {
-    std::vector<View> views;
-    for (const double degrees : {0.0, looks.tilt, -looks.tilt}) {
-        if (degrees == 0 && !views.empty()) continue; // no tilt is wanted
-        for (const bool mirror : {false, true})
-            if (!mirror || looks.mirror) views.push_back(look_once(net, ink, degrees, mirror, runtime));
+    std::vector<View> views = {look_once(net, ink, 0, false, runtime)};
+    std::vector<double> sure = {sureness(views.front().parts)};
+    const auto look_also = [&](double degrees, bool mirror) {
+        views.push_back(look_once(net, ink, degrees, mirror, runtime));
+        sure.push_back(sureness(views.back().parts));
+    };
+    if (sure.front() < looks.sure_enough) {
+        if (looks.mirror) look_also(0, true);
+        for (const double degrees : {looks.tilt, -looks.tilt}) {
+            if (degrees == 0) continue;
+            look_also(degrees, false);
+            if (looks.mirror) look_also(degrees, true);
+        }
     }
-    std::vector<double> sure;
-    for (const View& view : views) sure.push_back(sureness(view.parts));
     const double surest = *std::max_element(sure.begin(), sure.end());
     for (std::size_t i = 0; i < views.size(); ++i)
         views[i].weight = math::exp(looks.sharpness * (sure[i] - surest));

@@ -11,6 +11,7 @@ struct Looks {
     bool mirror = false;
     double tilt = 0; // degrees; 0: none
     double sharpness = 0;
+    double sure_enough = 2; // a first look this sure is the only one
 };
 
 // The network's input from a drawing that is turned about its ink and scaled so that it fills the square again. Pixel p
@@ -27,7 +28,7 @@ Tensor tilted(const Tensor& ink, const Tilt& tilt);
 Tensor straightened(const Tensor& parts, const Tilt& tilt);
 
 // Router, pose and parts are means over the looks, weighted by exp(sharpness · sureness), where sureness is the mean of
-// the most probable part over the foreground; the result's is the surest look's. The expert is the one of the mean router.
+// the most probable part over the foreground; the result's is the surest look's. The drawing itself is seen first. The expert is the one of the mean router.
 NetworkResult look(const Network& net, const Tensor& ink, const Looks& looks, const Runtime& runtime);
 
 } // namespace pantin::segmentation
