@@ -49,9 +49,8 @@ struct DetectionOptions {
 
     // Grouping by Mask R-CNN (src/detection/network_grouping.hpp).
     double network_score = 0.5;    // least score of a detection
-    // A detection with so much of its mask inside the mask of a larger one that is as sure, or less by the margin, is
-    // a part of that character.
-    double contained_share = 0.6, contained_margin = 0;
+    // A detection with so much of its mask inside the mask of a larger one that is as sure is a part of that character.
+    double contained_share = 0.6;
     double shared_claim = 0.2;     // a piece of ink of which others claim this share is divided
     double unclaimed_reach = 0.06; // ink that nobody claims belongs to a character this near (of its diagonal)
     int threads = 1;               // of the network; results do not depend on it

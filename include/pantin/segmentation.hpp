@@ -66,10 +66,10 @@ struct SegmentationOptions {
     bool mirror = true;
     double tilt = 20, sharpness = 30;
     // When the first look, at the drawing as it is, is this sure (as `Segmentation::sureness`) it is the only one.
-    double sure_enough = 0.94;
+    double sure_enough = 0.96;
     // A drawing of which even the surest look is less sure, and whose strokes are longer than its outline by this factor, is
     // a scribble and no character. (An outline with gaps makes the network unsure, too.) `thesis`: least_sureness 0.
-    double least_sureness = 0.86, scribble_ratio = 1.2;
+    double least_sureness = 0.895, scribble_ratio = 1.2;
     SilhouetteOptions silhouette;
 };
 

@@ -14,7 +14,7 @@ namespace {
 bool is_part(const CharacterFinder::Found& part, const CharacterFinder::Found& whole,
              const DetectionOptions& options) {
     const auto area = [](const CharacterFinder::Found& f) { return (f.right - f.left) * (f.bottom - f.top); };
-    if (&part == &whole || area(whole) <= area(part) || whole.score < part.score - options.contained_margin)
+    if (&part == &whole || area(whole) <= area(part) || whole.score < part.score)
         return false;
     int own = 0, shared = 0;
     for (int row = 0; row < part.mask.height(); ++row)

@@ -43,7 +43,6 @@ template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visi
     visit("detection.min_side", o.min_side, 1, 16384);
     visit("detection.network_score", o.network_score, 0, 1);
     visit("detection.contained_share", o.contained_share, 0, 1);
-    visit("detection.contained_margin", o.contained_margin, 0, 1);
     visit("detection.shared_claim", o.shared_claim, 0, 1);
     visit("detection.unclaimed_reach", o.unclaimed_reach, 0, 1);
 }

@@ -89,7 +89,6 @@ TEST_CASE("A detection mostly inside a larger one that is as sure is a part of i
     CHECK(count({whole, found(0.8, 70, 110, 0.9f)}) == 2);                   // a quarter of it lies inside
     CHECK(count({found(0.9, 0, 80, 0.2f), found(0.8, 10, 40, 0.9f)}) == 2);  // the larger mask does not say so
     CHECK(count({found(0.95, 10, 40, 0.9f), whole}) == 2);                   // the smaller one is surer
-    CHECK(count({found(0.95, 10, 40, 0.9f), whole}, {.contained_margin = 0.1}) == 1);
     CHECK(count({whole, whole}) == 2);                                       // neither is larger
     CHECK(count({whole, found(0.4, 100, 140, 0.9f)}) == 1);                  // not sure enough
 }
