@@ -82,6 +82,9 @@ int main(int argc, char** argv) {
     // Large blocks go back to the system when they are freed. By default the limit rises with each one, and a full-size
     // network's tensors leave holes in the heap (432 instead of 520 MB).
     mallopt(M_MMAP_THRESHOLD, 4 << 20);
+    // Smaller ones stay: the steps take and free them all the time, and new pages cost more than their work.
+    mallopt(M_TRIM_THRESHOLD, 64 << 20);
+    mallopt(M_TOP_PAD, 4 << 20);
 #endif
     const int code = run_and_report(argc, argv);
     errno = 0;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -16,7 +15,8 @@ Point2i pixel_of(Point2d p, const Mask& grid) {
             std::clamp(static_cast<int>(std::rint(p.y)), 0, grid.height() - 1)};
 }
 
-// Dijkstra over pixels; ties by the pixel's index, so the result depends on the input alone.
+// Dijkstra over pixels with a bucket for each cost (Dial 1969); ties by the pixel's index, so the result depends on the input
+// alone. Every step costs at least 5: a bucket is complete when its turn comes.
 class Flood {
 public:
     Flood(const Mask& silhouette, const LabelMap& labels)
@@ -30,7 +30,7 @@ public:
         if (cost_(p.x, p.y) >= 0) return;
         owners_(p.x, p.y) = owner;
         cost_(p.x, p.y) = 0;
-        queue_.emplace(0, index(p.x, p.y));
+        enqueue(0, index(p.x, p.y));
     }
 
     // With `keep_label` a pixel is reached through pixels of one label only. Without, the flood goes on from
@@ -39,15 +39,18 @@ public:
         if (!keep_label)
             for (int i = 0; i < static_cast<int>(cost_.size()); ++i)
                 if (cost_.data()[i] >= 0) {
-                    queue_.emplace(cost_.data()[i], i);
+                    enqueue(cost_.data()[i], i);
                     settled_.data()[i] = 1;
                 }
-        while (!queue_.empty()) {
-            const auto [cost, i] = queue_.top();
-            queue_.pop();
-            const int x = i % cost_.width(), y = i / cost_.width();
-            if (cost == cost_(x, y)) spread(x, y, cost, keep_label);
+        for (std::size_t cost = 0; cost < buckets_.size(); ++cost) {
+            std::vector<int> bucket = std::move(buckets_[cost]); // spreading may move the buckets
+            std::sort(bucket.begin(), bucket.end());
+            for (const int i : bucket) {
+                const int x = i % cost_.width(), y = i / cost_.width();
+                if (static_cast<int>(cost) == cost_(x, y)) spread(x, y, cost_(x, y), keep_label);
+            }
         }
+        buckets_.clear();
     }
 
     // What lies outside the silhouette, or in a piece of it without skeleton.
@@ -62,6 +65,11 @@ public:
     }
 
 private:
+    void enqueue(int cost, int pixel) {
+        const auto c = static_cast<std::size_t>(cost);
+        if (c >= buckets_.size()) buckets_.resize(c + 1);
+        buckets_[c].push_back(pixel);
+    }
     int index(int x, int y) const { return y * cost_.width() + x; }
 
     void spread(int x, int y, int cost, bool keep_label) {
@@ -75,17 +83,16 @@ private:
                 if (known >= 0 && known <= next) continue;
                 known = next;
                 owners_(nx, ny) = owners_(x, y);
-                queue_.emplace(next, index(nx, ny));
+                enqueue(next, index(nx, ny));
             }
     }
 
-    using Entry = std::pair<int, int>; // cost, pixel
     const Mask& silhouette_;
     const LabelMap& labels_;
     Grid<Owner> owners_;
     Grid<int> cost_;
     Mask settled_;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+    std::vector<std::vector<int>> buckets_; // pixels by cost
 };
 
 } // namespace

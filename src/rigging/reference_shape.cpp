@@ -24,9 +24,13 @@ void fill_disc(Mask& mask, const Disc& disc) {
     const auto [c, r] = disc;
     const int reach = static_cast<int>(std::ceil(r));
     const int cx = static_cast<int>(std::floor(c.x)), cy = static_cast<int>(std::floor(c.y));
-    for (int y = std::max(0, cy - reach); y <= std::min(canvas - 1, cy + reach + 1); ++y)
-        for (int x = std::max(0, cx - reach); x <= std::min(canvas - 1, cx + reach + 1); ++x)
-            if ((x - c.x) * (x - c.x) + (y - c.y) * (y - c.y) <= r * r) mask(x, y) = 1;
+    for (int y = std::max(0, cy - reach); y <= std::min(canvas - 1, cy + reach + 1); ++y) {
+        const auto inside = [&, c = c, r = r](int x) { return (x - c.x) * (x - c.x) + (y - c.y) * (y - c.y) <= r * r; };
+        int left = std::max(0, cx - reach), right = std::min(canvas - 1, cx + reach + 1);
+        while (left <= right && !inside(left)) ++left;
+        while (left <= right && !inside(right)) --right;
+        for (int x = left; x <= right; ++x) mask(x, y) = 1;
+    }
 }
 
 // A disc at every half pixel along the edge.

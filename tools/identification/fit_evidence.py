@@ -1,11 +1,13 @@
 #!/usr/bin/python3
 """Fits the constants of src/identification/evidence.cpp and judges them by five folds.
 
-usage: fit_evidence.py TABLE.tsv... [--ridge R] [--wrong]
+usage: fit_evidence.py TABLE.tsv... [--ridge R] [--wrong] [--judge OTHER.tsv]
 TABLE.tsv: written by build/release/evaluate_identification. A drawing counts when its quality is at least 2 and it has
 limbs or wings, tails alone do not identify anything; the fold of a drawing follows from its id. Fitted on four folds, reported on
 the fifth: the confusion matrix of the three types beside the literal and the divided distance and two baselines without a
 graph (wing -> flying, else quadruped; a regression on 11 label numbers). Then fitted on all and printed as the table of the source.
+--judge: instead, the drawings of fold 0 in another table (the labels of the pipeline) by the program's answer and the two baselines,
+which are fitted on the other folds of the tables. A drawing counts there when it does in the tables.
 
 Model: score(type) = g * divided distance + prior(type) + sum over traits of w(type, trait) * trait; probability proportional to
 exp(-score): multinomial logistic regression, with a ridge on the weights of the standardised traits.
@@ -81,13 +83,41 @@ def confusion(title, truth, found, counts):
         print(f"    {TYPES[k]:10s}" + "".join(f"{v:5d}" for v in matrix[k]))
 
 
+def label_numbers_of(rows):
+    numbers = np.array([[int(r[p]) for p in PARTS] for r in rows], float)
+    share = numbers / np.maximum(1, numbers.sum(1, keepdims=True))
+    return share, np.concatenate([share, np.sqrt(share), share[:, 4:] > 0.01], 1)
+
+
+def judge(rows, file, ridge):
+    known = {r["id"]: r for r in rows if fold(r["id"]) == 0}
+    tests = [r for r in csv.DictReader(open(file), delimiter="\t") if r["id"] in known]
+    train = [r for r in rows if fold(r["id"]) != 0]
+    train_truth = np.array([TYPES.index(r["type"]) for r in train])
+    truth = np.array([TYPES.index(r["type"]) for r in tests])
+    weight = len(train) / 3 / np.bincount(train_truth, minlength=3)[train_truth]
+    share, numbers = label_numbers_of(tests)
+    model = fit(label_numbers_of(train)[1], None, train_truth, weight, ridge)
+    found = {"the program": [TYPES.index(r["found"]) if r["status"] == "ok" and r["found"] in TYPES else 3 for r in tests],
+             "wing -> flying, else quadruped": np.where(share[:, 4] > 0.01, 2, 1),
+             "regression on 11 label numbers": decide(model, numbers, None).argmin(1)}
+    for folder in ["all"] + sorted({known[r["id"]]["folder"] for r in tests}):
+        part = np.array([folder in ("all", known[r["id"]]["folder"]) for r in tests])
+        print(f"\n== {folder}: {part.sum()} drawings (columns: humanoid quadruped flying rejected)")
+        for title, answers in found.items():
+            confusion(title, truth[part], np.array(answers)[part], None)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("tables", nargs="+")
     parser.add_argument("--ridge", type=float, default=2)
     parser.add_argument("--wrong", action="store_true", help="list the drawings decided wrongly")
+    parser.add_argument("--judge", help="a table of fold 0 made from other labels")
     o = parser.parse_args()
     rows = read(o.tables)
+    if o.judge:
+        return judge(rows, o.judge, o.ridge)
     rejected = [r for r in rows if r["status"] != "ok"]
     names = trait_names(rows)
     print(f"{len(rows)} drawings, {len(rejected)} of them rejected")
@@ -98,9 +128,7 @@ def main():
     folds = np.array([fold(r["id"]) for r in rows])
     traits = np.array([[float(r[k] or 0) if r["status"] == "ok" else 0 for k in names] for r in rows])
     graph = np.array([[float(r["ggd_" + t]) if r["status"] == "ok" else 0 for t in TYPES] for r in rows])
-    numbers = np.array([[int(r[p]) for p in PARTS] for r in rows], float)
-    share = numbers / numbers.sum(1, keepdims=True)
-    label_numbers = np.concatenate([share, np.sqrt(share), share[:, 4:] > 0.01], 1)
+    share, label_numbers = label_numbers_of(rows)
     # Each type weighs the same, and within it each drawing.
     weight = len(rows) / 3 / np.bincount(truth, minlength=3)[truth]
     forms = {"literal (thesis)": [], "divided distance": [], "wing -> flying, else quadruped": [], "regression on 11 label numbers": [],
