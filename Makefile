@@ -141,6 +141,9 @@ $(BUILD)/compare_torch: $(BUILD)/tools/compare_torch/main.o $(TORCH_OBJECTS) $(B
 $(BUILD)/evaluate_identification: $(EVALUATE_OBJECTS) $(BUILD)/libpantin.a
 	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
+$(BUILD)/motion_quality: $(BUILD)/tools/motion_quality/main.o $(BUILD)/libpantin.a
+	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+
 # Weights and references are compiled in, so that the program is one file that runs anywhere.
 $(BUILD)/resources.S: tools/embed.sh $(RESOURCES) Makefile
 	@mkdir -p $(@D)
@@ -151,7 +154,7 @@ $(BUILD)/resources.o: $(BUILD)/resources.S
 $(BUILD)/%.o: %.cpp
 	@mkdir -p $(@D)
 	$(call run,CXX)$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(FILE_FLAGS) -MMD -MP -c -o $@ $<
--include $(patsubst %.o,%.d,$(LIB_OBJECTS) $(DOODLE_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS) $(COMPARE_OBJECTS) $(EVALUATE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/tools/compare_torch/main.o $(BUILD)/src/cli/main.o $(BUILD)/tools/doodle/main.o)
+-include $(patsubst %.o,%.d,$(LIB_OBJECTS) $(DOODLE_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS) $(COMPARE_OBJECTS) $(EVALUATE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/tools/compare_torch/main.o $(BUILD)/src/cli/main.o $(BUILD)/tools/doodle/main.o $(BUILD)/tools/motion_quality/main.o)
 
 install: $(BUILD)/pantin
 	$(INSTALL) -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib $(DESTDIR)$(PREFIX)/include/pantin

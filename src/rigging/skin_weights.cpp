@@ -8,6 +8,8 @@
 namespace pantin {
 namespace {
 
+constexpr double short_edge = 0.4, shortest_edge = 0.05; // cells
+
 double smoothstep(double t) {
     t = std::clamp(t, 0.0, 1.0);
     return t * t * (3 - 2 * t);
@@ -25,16 +27,36 @@ void add_limb_weights(std::vector<double>& weights, const LimbBones& bones, doub
     weights[bones.first] += rest;
 }
 
+struct Neighbour {
+    int vertex = 0;
+    double share = 0; // of what flows to the vertex; they add up to one half
+};
+
+// Flow along an edge is larger the shorter it is, so that the two ends of a short edge move together.
+std::vector<std::vector<Neighbour>> flows_of(const Mesh& mesh, double cell) {
+    const auto neighbours = neighbours_of(mesh);
+    std::vector<std::vector<Neighbour>> flows(neighbours.size());
+    for (std::size_t v = 0; v < neighbours.size(); ++v) {
+        double sum = 0;
+        for (const int n : neighbours[v]) {
+            const double length = distance(mesh.vertices[v], mesh.vertices[n]) / cell;
+            flows[v].push_back({n, 1 + short_edge / std::max(length, shortest_edge)});
+            sum += flows[v].back().share;
+        }
+        for (Neighbour& n : flows[v]) n.share *= 0.5 / sum;
+    }
+    return flows;
+}
+
 // One step of diffusion: half of a vertex's weights is replaced by the mean of its neighbours'.
-void diffuse(std::vector<std::vector<double>>& weights, const std::vector<std::vector<int>>& neighbours) {
+void diffuse(std::vector<std::vector<double>>& weights, const std::vector<std::vector<Neighbour>>& flows) {
     const std::vector<std::vector<double>> before = weights;
     for (std::size_t v = 0; v < weights.size(); ++v) {
-        if (neighbours[v].empty()) continue;
-        const double share = 0.5 / static_cast<double>(neighbours[v].size());
+        if (flows[v].empty()) continue;
         for (std::size_t b = 0; b < weights[v].size(); ++b) {
-            double sum = 0;
-            for (int n : neighbours[v]) sum += before[n][b];
-            weights[v][b] = 0.5 * before[v][b] + share * sum;
+            double sum = 0.5 * before[v][b];
+            for (const Neighbour& n : flows[v]) sum += n.share * before[n.vertex][b];
+            weights[v][b] = sum;
         }
     }
 }
@@ -45,7 +67,7 @@ int diffusion_steps(const Limbs& limbs, double cell) {
     for (const Limb& limb : limbs.limbs) width += limb.width;
     if (!limbs.limbs.empty()) width /= static_cast<double>(limbs.limbs.size());
     const double cells = 0.5 * width / cell;
-    return std::clamp(static_cast<int>(std::rint(2 * cells * cells)), 4, 40);
+    return std::clamp(static_cast<int>(std::rint(2 * cells * cells)), 6, 40);
 }
 
 } // namespace
@@ -100,8 +122,8 @@ std::vector<VertexWeights> smooth_weights(const Mesh& mesh, const std::vector<Ow
         const double blend = std::max(2 * cell, 0.6 * limb.width);
         add_limb_weights(weights[v], skeleton.limbs[owners[v].limb], owners[v].position, blend);
     }
-    const auto neighbours = neighbours_of(mesh);
-    for (int i = diffusion_steps(limbs, cell); i > 0; --i) diffuse(weights, neighbours);
+    const auto flows = flows_of(mesh, cell);
+    for (int i = diffusion_steps(limbs, cell); i > 0; --i) diffuse(weights, flows);
     std::vector<VertexWeights> result;
     for (const std::vector<double>& w : weights) result.push_back(quantised(w));
     return result;
