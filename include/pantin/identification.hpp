@@ -70,7 +70,8 @@ struct ReferenceSkeleton {
 
 ReferenceSkeleton parse_reference(std::span<const unsigned char> json, const std::string& source);
 // Error(input) names `source`, the place and the fact.
-// The compiled-in references (order: humanoid, quadruped, flying, bird, insect, fish); those of `directory`, when not empty,
+// The compiled-in references (order: humanoid, quadruped, flying, bird, insect, fish,
+// bust); those of `directory`, when not empty,
 // replace the ones of their name or are added. Error(input) names the file.
 std::vector<ReferenceSkeleton> load_references(const std::filesystem::path& directory = {});
 
@@ -145,8 +146,8 @@ struct Identification {
 };
 
 // Throws CharacterRejected("identify", …) for what cannot move: a skeleton without an edge, more than 24 ends
-// (a scribble), one label only, or neither an end nor 2 % of the silhouette that is limb, wing or tail (a
-// head alone). Error(input) when `options.reference` is none of the references.
+// (a scribble), one label only, or neither an end nor 2 % of the silhouette that is limb, wing or tail, and no head that
+// ends a body of 15 % (a head alone). Error(input) when `options.reference` is none of the references.
 Identification identify(const SkeletonGraph& graph, const LabelMap& labels,
                         const std::vector<ReferenceSkeleton>& references,
                         const IdentificationOptions& options = {});

@@ -13,6 +13,7 @@ constexpr int most_ends = 24;       // a skeleton with more is a scribble
 constexpr double tie = 1e-9;        // distances closer than this are equal
 constexpr double head_weight = 2;   // of the head's side against the graph distance
 constexpr double ilp_margin = 1e-6; // GLPK's own tolerance on sums
+constexpr double smallest_body = 0.15; // share of the silhouette on which a head can nod
 constexpr double smallest_part =
     0.02; // share of the silhouette that can move although no skeleton end lies in it
 
@@ -42,9 +43,11 @@ long inner_border(const LabelMap& labels) {
 void reject_what_cannot_move(const SkeletonGraph& graph, const LabelMap& labels) {
     if (graph.edges.empty()) reject("a blob: its skeleton has no edge");
     int ends = 0, moving_ends = 0;
+    bool head_end = false;
     for (const SkeletonVertex& v : graph.vertices) {
         ends += v.end;
         moving_ends += v.end && can_move(v.label);
+        head_end = head_end || (v.end && v.label == Label::head);
     }
     if (ends > most_ends) reject("a scribble: its skeleton has " + std::to_string(ends) + " ends");
     std::vector<Label> present;
@@ -56,7 +59,9 @@ void reject_what_cannot_move(const SkeletonGraph& graph, const LabelMap& labels)
     const double moving = part_region(labels, {Label::limb, Label::tail, Label::wing}).area;
     if (static_cast<double>(inner_border(labels)) > most_inner_border * std::sqrt(area))
         reject("a scribble: its parts are scattered");
-    if (moving_ends == 0 && moving < smallest_part * area) reject("no limb, wing or tail: nothing can move");
+    const bool nods = head_end && part_region(labels, {Label::body}).area > smallest_body * area;
+    if (moving_ends == 0 && moving < smallest_part * area && !nods)
+        reject("no limb, wing or tail, and no head on a body: nothing can move");
 }
 
 GgdOptions options_for(const ReferenceSkeleton& reference, const IdentificationOptions& options) {

@@ -194,7 +194,7 @@ ReferenceSkeleton parse_reference(std::span<const unsigned char> bytes, const st
 
 std::vector<ReferenceSkeleton> load_references(const std::filesystem::path& directory) {
     std::vector<ReferenceSkeleton> all;
-    for (const char* name : {"humanoid", "quadruped", "flying", "bird", "insect", "fish"}) {
+    for (const char* name : {"humanoid", "quadruped", "flying", "bird", "insect", "fish", "bust"}) {
         const std::string path = std::string("references/") + name + ".json";
         all.push_back(parse_reference(find_resource(path), path));
     }

@@ -67,10 +67,10 @@ TEST_CASE("the compiled-in references are the three of the thesis and those that
         std::set<Label> labels;
         for (const ReferenceNode& node : reference.nodes) labels.insert(node.label);
         CHECK(labels.count(Label::head) == 1);
-        CHECK(labels.count(Label::limb) == (reference.name != "fish"));
+        CHECK(labels.count(Label::limb) == (reference.name != "fish" && reference.name != "bust"));
         CHECK(labels.count(Label::wing) == (reference.name == "flying"));
     }
-    CHECK(names == std::vector<std::string>{"humanoid", "quadruped", "flying", "bird", "insect", "fish"});
+    CHECK(names == std::vector<std::string>{"humanoid", "quadruped", "flying", "bird", "insect", "fish", "bust"});
     CHECK(alone == std::vector<std::string>{"humanoid", "quadruped", "flying"});
 }
 
@@ -151,11 +151,11 @@ TEST_CASE("a directory replaces references of the same name and adds others") {
     folder.write("a.json", replaced("\"name\": \"fox\"", "\"name\": \"humanoid\""));
     folder.write("notes.txt", "not a reference");
     const auto all = load_references(folder.path);
-    REQUIRE(all.size() == 7);
+    REQUIRE(all.size() == 8);
     CHECK(all[0].name == "humanoid");
     CHECK(all[0].nodes.size() == 2);
     CHECK(all[1].name == "quadruped");
-    CHECK(all[6].name == "fox");
+    CHECK(all[7].name == "fox");
 }
 
 TEST_CASE("a directory that is missing, empty or ambiguous is an error that names it") {
