@@ -1,10 +1,10 @@
 // Animated PNG (W3C PNG, third edition, 11.3.5): the frames' own PNG streams, taken apart and numbered. Readers that do not
 // know the animation chunks show the first frame.
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <string_view>
 
+#include "export/frame_times.hpp"
 #include "pantin/error.hpp"
 #include "pantin/export.hpp"
 #include "pantin/image.hpp"
@@ -63,19 +63,15 @@ Bytes contents(const Bytes& png, std::string_view type) {
     return data;
 }
 
-std::uint32_t milliseconds(std::size_t frame, double fps) {
-    return static_cast<std::uint32_t>(std::rint(1000.0 * static_cast<double>(frame) / fps));
-}
-
 // Size, place and duration of a frame that replaces the one before it.
-Bytes frame_control(std::uint32_t number, const RgbaImage& frame, std::uint32_t delay) {
+Bytes frame_control(std::uint32_t number, const RgbaImage& frame, int delay) {
     Bytes data;
     put(data, number);
     put(data, static_cast<std::uint32_t>(frame.width()));
     put(data, static_cast<std::uint32_t>(frame.height()));
     put(data, 0);
     put(data, 0);
-    put(data, delay, 2);
+    put(data, static_cast<std::uint32_t>(delay), 2);
     put(data, 1000, 2);
     put(data, 0, 1); // dispose: none
     put(data, 0, 1); // blend: source

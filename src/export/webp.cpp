@@ -3,12 +3,12 @@
 
 #ifdef PANTIN_WEBP
 
-#include <cmath>
 #include <memory>
 
 #include <webp/encode.h>
 #include <webp/mux.h>
 
+#include "export/frame_times.hpp"
 #include "pantin/error.hpp"
 
 namespace pantin {
@@ -60,10 +60,6 @@ void import_frame(const RgbaImage& frame, Picture& picture) {
         }
 }
 
-int milliseconds(std::size_t frame, double fps) {
-    return static_cast<int>(std::rint(1000.0 * static_cast<double>(frame) / fps));
-}
-
 } // namespace
 
 bool webp_available() { return true; }
@@ -97,6 +93,7 @@ std::vector<unsigned char> encode_webp(const std::vector<RgbaImage>& frames, dou
 
 #else
 
+#include "export/frame_times.hpp"
 #include "pantin/error.hpp"
 
 namespace pantin {

@@ -24,25 +24,19 @@ std::span<const unsigned char> Workshop::weights(const std::string& name, std::s
     }
 }
 
-const CharacterFinder& Workshop::finder() {
-    if (!finder_) {
+template <class Network> const Network& Workshop::loaded(std::optional<Network>& network, const char* name) {
+    if (!network) {
         std::string source;
         std::vector<unsigned char> file; // not needed any more once the network is there
-        const std::span<const unsigned char> bytes = weights("detector.safetensors", source, file);
-        finder_.emplace(bytes, source);
+        const std::span<const unsigned char> bytes = weights(name, source, file);
+        network.emplace(bytes, source);
     }
-    return *finder_;
+    return *network;
 }
 
-const Segmenter& Workshop::segmenter() {
-    if (!segmenter_) {
-        std::string source;
-        std::vector<unsigned char> file; // not needed any more once the network is there
-        const std::span<const unsigned char> bytes = weights("segmenter.safetensors", source, file);
-        segmenter_.emplace(bytes, source);
-    }
-    return *segmenter_;
-}
+const CharacterFinder& Workshop::finder() { return loaded(finder_, "detector.safetensors"); }
+
+const Segmenter& Workshop::segmenter() { return loaded(segmenter_, "segmenter.safetensors"); }
 
 const std::vector<ReferenceSkeleton>& Workshop::references() {
     if (!references_) references_ = load_references(settings_.references);

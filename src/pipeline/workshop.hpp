@@ -41,6 +41,8 @@ private:
     std::span<const unsigned char> weights(const std::string& name, std::string& source,
                                            std::vector<unsigned char>& file) const;
 
+    template <class Network> const Network& loaded(std::optional<Network>& network, const char* name);
+
     const Settings& settings_;
     std::optional<CharacterFinder> finder_;
     std::optional<Segmenter> segmenter_;
