@@ -1,4 +1,4 @@
-// evaluate_identification FOLDER...: steps 3 and 4 on the label maps FOLDER/label/<id>.png listed in
+// evaluate_identification [--references DIR] FOLDER...: steps 3 and 4 on the label maps FOLDER/label/<id>.png listed in
 // FOLDER/index.csv (columns id, class, type; quality when there is one), and the end-effector mapping of what
 // was found. Prints one line of tab-separated values per drawing, with a header line: what each form of the
 // score decides, the divided distances, the traits, the evidence; fit_evidence.py fits and judges from it.
@@ -139,9 +139,10 @@ void evaluate_folder(const std::string& folder, const std::vector<ReferenceSkele
 
 int main(int argc, char** argv) {
     try {
-        const auto references = load_references();
+        const bool own = argc > 2 && std::string(argv[1]) == "--references";
+        const auto references = load_references(own ? argv[2] : "");
         print_header();
-        for (int i = 1; i < argc; ++i) evaluate_folder(argv[i], references);
+        for (int i = own ? 3 : 1; i < argc; ++i) evaluate_folder(argv[i], references);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "evaluate_identification: %s\n", error.what());
         return 1;
