@@ -70,8 +70,8 @@ struct ReferenceSkeleton {
 
 ReferenceSkeleton parse_reference(std::span<const unsigned char> json, const std::string& source);
 // Error(input) names `source`, the place and the fact.
-// The compiled-in references (order: humanoid, quadruped, flying, bird, insect, fish,
-// bust); those of `directory`, when not empty,
+// The compiled-in references (order: humanoid, quadruped, flying, bird, insect, fish, bust);
+// those of `directory`, when not empty,
 // replace the ones of their name or are added. Error(input) names the file.
 std::vector<ReferenceSkeleton> load_references(const std::filesystem::path& directory = {});
 

@@ -59,6 +59,8 @@ std::vector<std::pair<std::string, std::string>> match_table(const Motion& motio
 
 // True when the reference has arms and legs to drive ("arm_left", "leg_right", …).
 bool can_follow(const ReferenceSkeleton& reference);
+// Whether a bone that follows a joint of that name ("arm_left") belongs to the left of the picture, the performer's right.
+bool shown_left(const Bone& bone, const std::string& joint);
 
 // The motion on a character's bones. The performer faces the viewer: its left is the right of the picture. `start` and
 // `seconds` cut the motion. The hips' way is scaled by the length of the legs, so that the feet keep the ground.

@@ -100,8 +100,8 @@ Page read_page(const std::filesystem::path& file);
 
 // --- the steps ---------------------------------------------------------------------------------------------
 
-// The whole pipeline: `image`, a picture or an AnimatedDrawings character folder, to out/page.json and one folder a character (and out/scene.* when that is wanted). A character that cannot go on
-// keeps the files it has and says why in its status. Throws Error(not_animated) when none could be animated,
+// The whole pipeline: `image`, a picture or an AnimatedDrawings character folder, to out/page.json and one folder a
+// character (and out/scene.* when that is wanted). A character that cannot go on keeps the files it has and says why in its status. Throws Error(not_animated) when none could be animated,
 // after page.json is written; Error(no_character) when there is none.
 Page animate(const std::filesystem::path& image, const std::filesystem::path& out, const Settings& settings);
 

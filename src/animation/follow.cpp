@@ -199,9 +199,7 @@ private:
         const std::string name = bone.reference_joint >= 0 ? reference_.joints[bone.reference_joint].name : "";
         const bool arm = name.starts_with("arm"), leg = name.starts_with("leg");
         if (arm || leg) {
-            // What the picture shows on the left is the performer's right.
-            const bool shown_left = name.ends_with("left") != bone.mirrored;
-            const MotionJoints::Side& side = shown_left ? joints_.right : joints_.left;
+            const MotionJoints::Side& side = shown_left(bone, name) ? joints_.right : joints_.left;
             const std::array<int, 3> chain = arm ? std::array<int, 3>{side.upper_arm, side.forearm, side.hand}
                                                  : std::array<int, 3>{side.thigh, side.shin, side.foot};
             limb(b, chain);
@@ -269,6 +267,8 @@ bool can_follow(const ReferenceSkeleton& reference) {
     };
     return has("arm_left") && has("arm_right") && has("leg_left") && has("leg_right");
 }
+
+bool shown_left(const Bone& bone, const std::string& joint) { return joint.ends_with("left") != bone.mirrored; }
 
 BoneAnimation follow(const Rig& rig, const ReferenceSkeleton& reference, const Motion& motion, const MotionJoints& joints,
                      double start, double seconds) {

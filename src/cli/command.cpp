@@ -145,11 +145,7 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
     settings.render.picture.perspective = flags.perspective;
     settings.render.picture.background = parse_colour(flags.background);
     if (!options.quiet && isatty(STDERR_FILENO)) settings.progress = show_progress;
-    if (!options.quiet)
-        settings.notice = [](const std::string& line) {
-            clear_progress();
-            std::printf("%s\n", line.c_str());
-        };
+    settings.notice = [options](const std::string& line) { print_result(options, line); };
     return settings;
 }
 

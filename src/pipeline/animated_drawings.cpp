@@ -5,7 +5,6 @@
 #include <limits>
 #include <optional>
 
-#include "core/decimal.hpp"
 #include "core/file.hpp"
 #include "pantin/image.hpp"
 #include "pantin/motion.hpp"
@@ -63,7 +62,7 @@ std::optional<std::array<Point2d, 3>> limb_of(const Rig& rig, const ReferenceSke
     for (const Bone& bone : rig.bones) {
         if (bone.reference_joint < 0) continue;
         const std::string& name = reference.joints[bone.reference_joint].name;
-        if (name.starts_with(group) && (name.ends_with("left") != bone.mirrored) == picture_left &&
+        if (name.starts_with(group) && shown_left(bone, name) == picture_left &&
             bone.segment == static_cast<int>(chain.size()))
             chain.push_back(&bone);
     }
@@ -128,14 +127,6 @@ Joints parse_joints(const std::string& text, const std::string& file, int width,
 #endif
 
 } // namespace
-
-bool yaml_available() {
-#ifdef PANTIN_YAML
-    return true;
-#else
-    return false;
-#endif
-}
 
 bool is_animated_drawings_folder(const fs::path& folder) {
     std::error_code ignored;

@@ -33,7 +33,6 @@ inline constexpr std::array<AnimatedDrawingsJoint, 16> animated_drawings_joints 
                                                                                     {"left_knee", "left_hip"},
                                                                                     {"left_foot", "left_knee"}}};
 
-bool yaml_available();
 bool is_animated_drawings_folder(const std::filesystem::path& folder);
 
 // The joints of folder/char_cfg.yaml in pixels of texture.png, which has the given size. Error(input) names the file and

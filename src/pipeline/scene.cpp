@@ -127,6 +127,7 @@ RgbaImage empty_paper(const RgbImage& drawn, const std::vector<Actor>& actors, c
 void run_scene(const std::filesystem::path& image, const std::filesystem::path& out, const Page& page,
                std::vector<Character>& characters, Workshop& workshop) {
     const Settings& settings = workshop.settings();
+    if (!wants_pictures(settings.render)) return;
     std::vector<Actor> actors = cast(page, characters, workshop);
     if (actors.empty()) return;
     Film film = blank_film(common_duration(actors), settings.render.fps);

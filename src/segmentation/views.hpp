@@ -28,7 +28,8 @@ Tensor tilted(const Tensor& ink, const Tilt& tilt);
 Tensor straightened(const Tensor& parts, const Tilt& tilt);
 
 // Router, pose and parts are means over the looks, weighted by exp(sharpness · sureness), where sureness is the mean of
-// the most probable part over the foreground; the result's is the surest look's. The drawing itself is seen first. The expert is the one of the mean router.
+// the most probable part over the foreground; the result's is the surest look's. The drawing itself is seen
+// first. The expert is the one of the mean router.
 NetworkResult look(const Network& net, const Tensor& ink, const Looks& looks, const Runtime& runtime);
 
 } // namespace pantin::segmentation

@@ -27,12 +27,16 @@ def fold(drawing_id):
     return hashlib.sha1(drawing_id.encode()).digest()[1] % 5
 
 
+def counts(row):
+    return (row["type"] in TYPES and int(row["quality"]) >= 2 and
+            int(row["limb"]) + int(row["wing"]) > 0.002 * sum(int(row[p]) for p in PARTS))
+
+
 def read(files):
     rows = []
     for file in files:
         rows += csv.DictReader(open(file), delimiter="\t")
-    return [r for r in rows if r["type"] in TYPES and int(r["quality"]) >= 2 and
-            int(r["limb"]) + int(r["wing"]) > 0.002 * sum(int(r[p]) for p in PARTS)]
+    return [r for r in rows if counts(r)]
 
 
 def trait_names(rows):

@@ -15,16 +15,15 @@ import tempfile
 
 import numpy as np
 
-TYPES = ["humanoid", "quadruped", "flying"]
+from fit_evidence import TYPES, counts
+
 REFERENCES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../references")
-PARTS = ["head", "body", "limb", "tail", "wing"]
 
 
 def share_right(binary, folders, references):
     command = [binary] + (["--references", references] if references else []) + folders
     rows = csv.DictReader(io.StringIO(subprocess.run(command, capture_output=True, text=True, check=True).stdout), delimiter="\t")
-    rows = [r for r in rows if r["type"] in TYPES and int(r["quality"]) >= 2 and
-            int(r["limb"]) + int(r["wing"]) > 0.002 * sum(int(r[p]) for p in PARTS)]
+    rows = [r for r in rows if counts(r)]
     return np.mean([r["status"] == "ok" and r["found"] == r["type"] for r in rows]), len(rows)
 
 
