@@ -28,6 +28,8 @@ struct BoneAnimation {
     std::vector<double> times;
     std::vector<std::vector<Quaternion>> rotations; // [bone][time], local, rest = identity
     std::vector<Vec3> root_translation;             // [time]
+    // The character stays in its place and the ground passes below it: world units a second, negative to the left; 0: none.
+    double ground_speed = 0;
 };
 // Samples `samples` + 1 key poses of a reference's clip on the rig's bones.
 BoneAnimation retarget(const Rig& rig, const ReferenceSkeleton& reference, const ReferenceClip& clip, int samples = 24);

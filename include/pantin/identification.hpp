@@ -40,10 +40,14 @@ struct ReferenceTrack {
     // (about itself). "tx", "ty": translation of the root joint as a share of the character's height.
     std::string axis;
     int segment = 0;      // along a limb's chain of bones: 0 the innermost
-    double amplitude = 0; // degrees (share of the height for translations)
+    double amplitude = 0; // degrees (share of the height for translations; of the leg's length for half a step's way)
     double phase = 0;     // in cycles
     double offset = 0;
     int cycles = 1; // whole cycles per clip, so that it loops
+    // Of a "step", whose phase counts from the foot's contact:
+    double lift = 0;   // share of the leg's length by which the foot is lifted
+    double duty = 0.6; // share of the cycle that the foot spends on the ground
+    int bend = 1;      // of "step" and "plant": 1 the knee bends forwards (to the left, unless mirrored), −1 backwards
 };
 struct ReferenceClip {
     std::string name;    // "walk", "fly", "idle"

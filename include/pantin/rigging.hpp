@@ -37,10 +37,10 @@ std::vector<int> hungarian(const std::vector<std::vector<double>>& costs);
 
 // The path similarity alone is weak on parts: tails meet the right part 23 % of the time (ERRATA 19). With
 // `label_aware` the assignment is found on
-//     path_weight · c / mean c + position_weight · d² + label_penalty · [other label] − prior_weight ·
-//     [matched],
+//     path_weight · c / mean c + position_weight · d² + trunk_weight · t² +
+//     label_penalty · [other label] − prior_weight · [matched],
 // c the similarity cost of the thesis, d the distance of the two ends, each in the bounding box of its own
-// figure, and `matched` when identification matched the two. A pair of different labels is allowed only where
+// figure, t in the box of the body (as far as 0.75 of it outside), and `matched` when identification matched the two. A pair of different labels is allowed only where
 // it makes sense (a limb for a tail or a wing, a wing for a limb of a reference without wings, a body end for
 // the head) and d ≤ mixed_reach; every other one costs `unmatched_cost` and is dropped after the assignment.
 // Pairs of one label are then put into cyclic order, so that no two limbs cross.
@@ -52,6 +52,7 @@ struct MappingOptions {
     bool label_aware = true; // `thesis`: false, none of the following is used
     double path_weight = 0.5;
     double position_weight = 4;
+    double trunk_weight = 1;
     double prominence_weight = 2;
     double label_penalty = 8; // above every difference of places
     double prior_weight = 0.5;
@@ -70,10 +71,9 @@ struct Mapping {
     std::vector<EndPair> pairs;             // ascending by end
     std::vector<int> unmatched_ends;        // skeleton vertices without a partner, ascending
 };
-// `silhouette` has the size of the graph; `match` is the candidate that identification chose for `reference`.
-Mapping map_end_effectors(const SkeletonGraph& graph, const Mask& silhouette,
-                          const ReferenceSkeleton& reference, const Candidate& match,
-                          const MappingOptions& options = {});
+// `labels` has the size of the graph; `match` is the candidate that identification chose for `reference`.
+Mapping map_end_effectors(const SkeletonGraph& graph, const LabelMap& labels, const ReferenceSkeleton& reference,
+                          const Candidate& match, const MappingOptions& options = {});
 
 // --- mesh ---------------------------------------------------------------------------------------------
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "animation/footing.hpp"
 #include "animation/vector.hpp"
 #include "core/math.hpp"
 #include "pantin/animation.hpp"
@@ -38,24 +39,37 @@ public:
             if (rig.bones[b].segment > 0) shift_[b] = shift_[rig.bones[b].parent];
     }
 
-    Quaternion rotation(int bone, double cycle) const {
+    // Turn against the parent in the drawing's plane, radians.
+    double plane_turn(int bone, double cycle) const {
         const Bone& b = rig_.bones[bone];
-        double x = 0, y = 0, z = 0, flap = 0, twist = 0;
+        const double side = b.mirrored ? -1 : 1, outwards = direction_of(b).x >= 0 ? 1 : -1;
+        double z = 0;
+        for (const ReferenceTrack& track : clip_.tracks) {
+            if (track.joint != b.reference_joint || track.segment != b.segment) continue;
+            if (track.axis == "z") z += side * value(track, bone, cycle);
+            if (track.axis == "lift") z += outwards * value(track, bone, cycle);
+        }
+        return z * b.freedom * (math::pi / 180);
+    }
+
+    Quaternion rotation(int bone, double cycle, double plane_turn, double flap) const {
+        const Bone& b = rig_.bones[bone];
+        double x = 0, y = 0, twist = 0;
         const Point2d d = direction_of(b);
         const double side = b.mirrored ? -1 : 1;
         for (const ReferenceTrack& track : clip_.tracks) {
             if (track.joint != b.reference_joint || track.segment != b.segment) continue;
-            const double angle = b.freedom * value(track, bone, cycle);
+            const double angle = b.freedom * value(track, bone, cycle) * (math::pi / 180);
             if (track.axis == "x") x += angle;
             if (track.axis == "y") y += side * angle;
-            if (track.axis == "z") z += side * angle;
-            if (track.axis == "lift") z += d.x >= 0 ? angle : -angle;
             if (track.axis == "flap") flap += angle;
             if (track.axis == "twist") twist += angle;
         }
-        return normalised(about({0, 0, 1}, z) * about({d.y, -d.x, 0}, flap) * about({d.x, d.y, 0}, twist) *
+        return normalised(about({0, 0, 1}, plane_turn) * about({d.y, -d.x, 0}, flap) * about({d.x, d.y, 0}, twist) *
                           about({0, 1, 0}, y) * about({1, 0, 0}, x));
     }
+
+    const std::vector<double>& shift() const { return shift_; }
 
     Vec3 translation(double cycle) const {
         Vec3 t;
@@ -73,9 +87,9 @@ private:
         const double turns = track.cycles * cycle + track.phase + track.cycles * shift_[bone];
         return track.offset + track.amplitude * math::sin(2 * math::pi * turns);
     }
-    static Quaternion about(Vec3 axis, double degrees) {
-        if (degrees == 0) return {};
-        const double half = degrees * (math::pi / 360), s = math::sin(half);
+    static Quaternion about(Vec3 axis, double angle) {
+        if (angle == 0) return {};
+        const double half = angle / 2, s = math::sin(half);
         return {s * axis.x, s * axis.y, s * axis.z, math::cos(half)};
     }
 
@@ -114,18 +128,25 @@ private:
 BoneAnimation retarget(const Rig& rig, const ReferenceSkeleton& reference, const ReferenceClip& clip,
                        int samples) {
     const Retargeting retargeting(rig, reference, clip);
+    const Footing footing(rig, clip, retargeting.shift());
     BoneAnimation animation;
     animation.name = clip.name;
     animation.duration = clip.duration;
+    animation.ground_speed = footing.ground_speed();
     animation.rotations.resize(rig.bones.size());
     samples = std::max(samples, 1);
+    std::vector<double> turns(rig.bones.size()), flaps(rig.bones.size());
     for (int i = 0; i <= samples; ++i) {
         animation.times.push_back(clip.duration * (static_cast<double>(i) / samples));
         const double cycle =
             static_cast<double>(i % samples) / samples; // the last pose is the first, to the bit
-        for (std::size_t b = 0; b < rig.bones.size(); ++b)
-            animation.rotations[b].push_back(retargeting.rotation(static_cast<int>(b), cycle));
-        animation.root_translation.push_back(retargeting.translation(cycle));
+        for (std::size_t b = 0; b < turns.size(); ++b) turns[b] = retargeting.plane_turn(static_cast<int>(b), cycle);
+        Vec3 root = retargeting.translation(cycle);
+        std::fill(flaps.begin(), flaps.end(), 0.0);
+        footing.apply(cycle, turns, flaps, root);
+        for (std::size_t b = 0; b < turns.size(); ++b)
+            animation.rotations[b].push_back(retargeting.rotation(static_cast<int>(b), cycle, turns[b], flaps[b]));
+        animation.root_translation.push_back(root);
     }
     return animation;
 }

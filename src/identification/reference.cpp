@@ -101,16 +101,25 @@ ReferenceJoint read_joint(const JsonReader& reader, const ReferenceSkeleton& ske
 }
 
 ReferenceTrack read_track(const JsonReader& reader, const ReferenceSkeleton& skeleton) {
-    expect_keys(reader, {"joint", "axis", "segment", "amplitude", "phase", "offset", "cycles"});
+    expect_keys(reader, {"joint", "axis", "segment", "amplitude", "phase", "offset", "cycles", "lift", "duty", "bend"});
     ReferenceTrack track;
     track.joint = find_named(reader.at("joint"), skeleton.joints, "joint");
     track.axis = read_name(reader.at("axis"));
-    static constexpr std::array<std::string_view, 8> axes = {"x",    "y",     "z",  "lift",
-                                                             "flap", "twist", "tx", "ty"};
+    static constexpr std::array<std::string_view, 10> axes = {"x",    "y",     "z",  "lift", "flap",
+                                                              "twist", "tx", "ty", "step", "plant"};
     if (std::find(axes.begin(), axes.end(), track.axis) == axes.end())
-        reader.at("axis").fail("must be x, y, z, lift, flap, twist, tx or ty");
+        reader.at("axis").fail("must be x, y, z, lift, flap, twist, tx, ty, step or plant");
+    const bool steps = track.axis == "step", on_ground = steps || track.axis == "plant";
+    for (const char* key : {"lift", "duty"})
+        if (reader.has(key) && !steps) reader.at(key).fail("belongs to the axis step");
+    if (reader.has("bend") && !on_ground) reader.at("bend").fail("belongs to the axes step and plant");
+    for (const char* key : {"segment", "offset", "cycles"})
+        if (reader.has(key) && on_ground) reader.at(key).fail("does not belong to the axes step and plant");
     if (reader.has("segment")) track.segment = read_integer(reader.at("segment"), 0, 8);
-    track.amplitude = reader.at("amplitude").number(-360, 360);
+    if (steps || !on_ground) track.amplitude = steps ? reader.at("amplitude").number(0, 1) : reader.at("amplitude").number(-360, 360);
+    if (reader.has("lift")) track.lift = reader.at("lift").number(0, 0.8);
+    if (reader.has("duty")) track.duty = reader.at("duty").number(0.1, 0.95);
+    if (reader.has("bend")) track.bend = read_integer(reader.at("bend"), -1, 1) < 0 ? -1 : 1;
     if (reader.has("phase")) track.phase = reader.at("phase").number(-1, 1);
     if (reader.has("offset")) track.offset = reader.at("offset").number(-360, 360);
     if (reader.has("cycles")) track.cycles = read_integer(reader.at("cycles"), 0, 64);

@@ -102,6 +102,7 @@ template <class Visitor> void visit_rigging(RigOptions& o, Visitor& visit) {
     visit("rigging.label_aware", o.mapping.label_aware);
     visit("rigging.path_weight", o.mapping.path_weight, 0, 1000);
     visit("rigging.position_weight", o.mapping.position_weight, 0, 1000);
+    visit("rigging.trunk_weight", o.mapping.trunk_weight, 0, 1000);
     visit("rigging.prominence_weight", o.mapping.prominence_weight, 0, 1000);
     visit("rigging.label_penalty", o.mapping.label_penalty, 0, 1000);
     visit("rigging.mixed_reach", o.mapping.mixed_reach, 0, 2);

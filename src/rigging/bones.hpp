@@ -14,9 +14,17 @@ struct LimbBones {
     int count() const { return static_cast<int>(joints.size()) - 1; }
 };
 
+// A bone of the trunk that turns the part of the body beyond a joint of the spine: the chest against the hips.
+struct SpineBone {
+    int bone = -1;
+    Point2d pivot, direction; // unit vector along the spine, away from the root
+    double blend = 0;         // half the way along the spine over which the weights pass from one side to the other
+};
+
 struct Skeleton {
     std::vector<Bone> bones;      // bone 0 is the body
     std::vector<LimbBones> limbs; // parallel to Limbs::limbs
+    std::vector<SpineBone> spine; // at most one for each joint of the reference that moves a node of the body
 };
 
 // `head_centre`: the middle of the head's pixels; a head's bone points there, not to an ear.

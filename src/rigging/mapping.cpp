@@ -6,7 +6,9 @@
 #include <algorithm>
 
 #include "core/math.hpp"
+#include "identification/traits.hpp"
 #include "pantin/error.hpp"
+#include "pantin/image.hpp"
 #include "rigging/skeleton_paths.hpp"
 
 namespace pantin {
@@ -15,6 +17,9 @@ namespace {
 using Matrix = std::vector<std::vector<double>>;
 
 constexpr double prong_share = 0.3; // of the rest of the limb
+constexpr double frame_reach = 0.75; // a place farther than this many boxes outside is told no farther
+constexpr double clearly_below = 0.15; // of the box of the vertices
+constexpr double least_trunk = 0.04; // of the silhouette
 constexpr double pi = 3.14159265358979323846;
 
 std::vector<int> end_effectors(const SkeletonGraph& graph) {
@@ -83,9 +88,43 @@ Matrix similarity_costs(const Figure& a, const std::vector<int>& ends_a, const F
     return costs;
 }
 
-// The ends of one figure in the bounding box of all its vertices.
+// A box to say in it where things are; an empty one says nothing.
+struct Frame {
+    Point2d low, high;
+    bool empty() const { return high.x <= low.x || high.y <= low.y; }
+    Point2d place(Point2d p) const {
+        const auto share = [](double v, double a, double b) { return std::clamp((v - a) / (b - a), -frame_reach, 1 + frame_reach); };
+        return {share(p.x, low.x, high.x), share(p.y, low.y, high.y)};
+    }
+};
+
+// The box of the body in the drawing, and of the body's nodes in the reference as it is drawn.
+Frame trunk_of(const LabelMap& labels) {
+    const PartRegion body = part_region(labels, {Label::body});
+    const double area = static_cast<double>(labels.size() - std::count(labels.begin(), labels.end(), 0));
+    if (body.empty() || body.area < least_trunk * area) return {};
+    return {to_double({body.x0, body.y0}), to_double({body.x1, body.y1})};
+}
+Frame trunk_of(const SkeletonGraph& drawn, const ReferenceSkeleton& reference) {
+    Frame frame;
+    bool first = true;
+    for (std::size_t i = 0; i < reference.nodes.size(); ++i) {
+        const ReferenceNode& node = reference.nodes[i];
+        if (node.label != Label::body) continue;
+        const Point2d c = position(drawn.vertices[i]), r = reference_span * node.r * Point2d{1, 1};
+        const Point2d low = c - r, high = c + r;
+        frame.low = first ? low : Point2d{std::min(low.x, frame.low.x), std::min(low.y, frame.low.y)};
+        frame.high = first ? high : Point2d{std::max(high.x, frame.high.x), std::max(high.y, frame.high.y)};
+        first = false;
+    }
+    return frame;
+}
+
+// The ends of one figure in the bounding box of all its vertices, and in that of its trunk.
 struct Places {
     std::vector<Point2d> ends;
+    std::vector<Point2d> beside_trunk; // the same in the trunk's box; empty without trunk
+    Point2d middle;               // of the body, in the box of the vertices
     std::vector<double> bearings; // clockwise from straight up around the middle of the body, in [0, 2π)
 };
 
@@ -105,15 +144,17 @@ Point2d middle_of(const SkeletonGraph& graph, const LabelledGraph& box) {
     return {0.5, 0.5};
 }
 
-Places places_of(const SkeletonGraph& graph, const std::vector<int>& ends) {
+Places places_of(const SkeletonGraph& graph, const std::vector<int>& ends, const Frame& trunk) {
     const LabelledGraph box = normalised(to_labelled_graph(graph));
     const Point2d middle = middle_of(graph, box);
     Places places;
+    places.middle = middle;
     for (const int e : ends) {
         const Point2d d = box.positions[e] - middle;
         const double angle = math::atan2(d.x, -d.y);
         places.ends.push_back(box.positions[e]);
         places.bearings.push_back(angle < 0 ? angle + 2 * pi : angle);
+        if (!trunk.empty()) places.beside_trunk.push_back(trunk.place(position(graph.vertices[e])));
     }
     return places;
 }
@@ -206,18 +247,27 @@ std::vector<double> prominence_of(const SkeletonGraph& graph, const std::vector<
     return prominence;
 }
 
-Problem make_problem(const SkeletonGraph& a, const std::vector<int>& ends_a, const SkeletonGraph& b,
-                     const std::vector<int>& ends_b) {
+Problem make_problem(const SkeletonGraph& a, const std::vector<int>& ends_a, const Frame& trunk_a, const SkeletonGraph& b,
+                     const std::vector<int>& ends_b, const Frame& trunk_b) {
     Problem problem;
     for (const int e : ends_a) problem.labels_a.push_back(a.vertices[e].label);
     for (const int e : ends_b) problem.labels_b.push_back(b.vertices[e].label);
-    problem.places_a = places_of(a, ends_a);
-    problem.places_b = places_of(b, ends_b);
+    problem.places_a = places_of(a, ends_a, trunk_a);
+    problem.places_b = places_of(b, ends_b, trunk_b);
     problem.prominence = prominence_of(a, ends_a, problem.labels_b);
     return problem;
 }
 
 double squared_distance(Point2d a, Point2d b) { return dot(a - b, a - b); }
+
+// Squared distance of two ends: by their places in the figures' boxes, and beside the trunk, which a long neck or a spread
+// arm does not distort.
+double place_cost(const Problem& problem, std::size_t i, std::size_t j, const MappingOptions& options) {
+    const Places &a = problem.places_a, &b = problem.places_b;
+    const double in_box = options.position_weight * squared_distance(a.ends[i], b.ends[j]);
+    if (a.beside_trunk.empty() || b.beside_trunk.empty()) return in_box;
+    return in_box + options.trunk_weight * squared_distance(a.beside_trunk[i], b.beside_trunk[j]);
+}
 
 // The similarity costs with the evidence of labels, places and identification.
 Matrix aware_costs(const Matrix& similarity, const Problem& problem, const std::vector<int>& ends_a,
@@ -234,7 +284,7 @@ Matrix aware_costs(const Matrix& similarity, const Problem& problem, const std::
             const bool matched =
                 std::count(match.pairs.begin(), match.pairs.end(), std::pair{ends_a[i], ends_b[j]}) > 0;
             double& cost = costs[i][j];
-            cost = options.path_weight * (mean > 0 ? cost / mean : 0) + options.position_weight * d2 +
+            cost = options.path_weight * (mean > 0 ? cost / mean : 0) + place_cost(problem, i, j, options) +
                    options.prominence_weight * (1 - problem.prominence[i]) -
                    (matched ? options.prior_weight : 0) + (same ? 0 : options.label_penalty);
             if (problem.prominence[i] == 0) cost = options.unmatched_cost;
@@ -251,8 +301,19 @@ std::vector<int> by_bearing(std::vector<int> items, const Places& places) {
     return items;
 }
 
+// Legs that all stand below the body.
+bool below(const Places& places, const std::vector<int>& items) {
+    return std::all_of(items.begin(), items.end(), [&](int i) { return places.ends[i].y > places.middle.y + clearly_below; });
+}
+
+std::vector<int> from_left_to_right(std::vector<int> items, const Places& places) {
+    std::stable_sort(items.begin(), items.end(), [&](int a, int b) { return places.ends[a].x < places.ends[b].x; });
+    return items;
+}
+
 // Puts the pairs of one label into the same cyclic order on both sides, at the rotation with the smallest
-// squared distances: the legs of a figure then keep their order from front to hind.
+// squared distances, or into the same order from left to right where all of them stand below the body: the legs of a figure then
+// keep their order from front to hind.
 void uncross(Label label, const Problem& problem, std::vector<int>& partner) {
     std::vector<int> rows, columns;
     for (int i = 0; i < std::ssize(partner); ++i)
@@ -262,6 +323,12 @@ void uncross(Label label, const Problem& problem, std::vector<int>& partner) {
         }
     const std::size_t n = rows.size();
     if (n < 2) return;
+    if (below(problem.places_a, rows) && below(problem.places_b, columns)) {
+        rows = from_left_to_right(std::move(rows), problem.places_a);
+        columns = from_left_to_right(std::move(columns), problem.places_b);
+        for (std::size_t k = 0; k < n; ++k) partner[rows[k]] = columns[k];
+        return;
+    }
     rows = by_bearing(std::move(rows), problem.places_a);
     columns = by_bearing(std::move(columns), problem.places_b);
     std::size_t best = 0;
@@ -294,10 +361,9 @@ void list_pairs(Mapping& mapping, const std::vector<int>& partner) {
 
 } // namespace
 
-Mapping map_end_effectors(const SkeletonGraph& graph, const Mask& silhouette,
-                          const ReferenceSkeleton& reference, const Candidate& match,
-                          const MappingOptions& options) {
-    const Figure character = make_figure(graph, silhouette);
+Mapping map_end_effectors(const SkeletonGraph& graph, const LabelMap& labels, const ReferenceSkeleton& reference,
+                          const Candidate& match, const MappingOptions& options) {
+    const Figure character = make_figure(graph, foreground(labels));
     const Figure model = draw_reference(reference, match.mirrored);
     Mapping mapping;
     mapping.ends = clockwise(graph, end_effectors(graph));
@@ -307,7 +373,8 @@ Mapping map_end_effectors(const SkeletonGraph& graph, const Mask& silhouette,
         list_pairs(mapping, hungarian(mapping.costs));
         return mapping;
     }
-    const Problem problem = make_problem(graph, mapping.ends, model.graph, mapping.reference_ends);
+    const Problem problem = make_problem(graph, mapping.ends, trunk_of(labels), model.graph,
+                                         mapping.reference_ends, trunk_of(model.graph, reference));
     mapping.costs = aware_costs(mapping.costs, problem, mapping.ends, mapping.reference_ends, match, options);
     std::vector<int> partner = hungarian(mapping.costs);
     for (std::size_t i = 0; i < partner.size(); ++i)

@@ -9,7 +9,8 @@ namespace pantin {
 namespace {
 
 constexpr int canvas = 321, margin = 40;
-constexpr double span = canvas - 1 - 2 * margin;
+constexpr double span = reference_span;
+static_assert(reference_span == canvas - 1 - 2 * margin);
 
 struct Disc {
     Point2d centre;

@@ -145,7 +145,7 @@ Rig rig(const SkeletonGraph& graph, const LabelMap& labels, const Identification
                      [&](const Candidate& c) { return c.reference == identification.reference; });
     const Candidate candidate = match == identification.candidates.end() ? Candidate{} : *match;
     const Mapping mapping =
-        map_end_effectors(graph, foreground(labels), *reference, candidate, options.mapping);
+        map_end_effectors(graph, labels, *reference, candidate, options.mapping);
     return rig_with_mapping(graph, labels, *reference, candidate.mirrored, mapping, options);
 }
 

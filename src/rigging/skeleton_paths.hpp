@@ -17,6 +17,7 @@ struct Figure {
 Figure make_figure(SkeletonGraph graph, const Mask& shape);
 // The reference drawn at 321×321 with a margin of 40: discs of radius r along every edge, growing or
 // shrinking from one node to the other; its skeleton is the edges, one pixel wide.
+inline constexpr double reference_span = 240; // pixels for coordinates 0 to 1
 Figure draw_reference(const ReferenceSkeleton& reference, bool mirrored);
 
 // Pixels of the shortest path along the graph's edges (Dijkstra; ties: lowest vertex); empty when there is

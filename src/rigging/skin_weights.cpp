@@ -27,6 +27,17 @@ void add_limb_weights(std::vector<double>& weights, const LimbBones& bones, doub
     weights[bones.first] += rest;
 }
 
+void add_trunk_weights(std::vector<double>& weights, const std::vector<SpineBone>& spine, Point2d p) {
+    double rest = 1;
+    for (const SpineBone& s : spine) {
+        const Point2d v = p - s.pivot;
+        const double beyond = smoothstep((v.x * s.direction.x + v.y * s.direction.y) / (2 * s.blend) + 0.5);
+        weights[s.bone] += rest * beyond;
+        rest -= rest * beyond;
+    }
+    weights[0] += rest;
+}
+
 struct Neighbour {
     int vertex = 0;
     double share = 0; // of what flows to the vertex; they add up to one half
@@ -115,7 +126,7 @@ std::vector<VertexWeights> smooth_weights(const Mesh& mesh, const std::vector<Ow
                                              std::vector<double>(skeleton.bones.size(), 0.0));
     for (std::size_t v = 0; v < weights.size(); ++v) {
         if (owners[v].limb < 0) {
-            weights[v][0] = 1;
+            add_trunk_weights(weights[v], skeleton.spine, mesh.vertices[v]);
             continue;
         }
         const Limb& limb = limbs.limbs[owners[v].limb];

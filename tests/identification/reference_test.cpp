@@ -127,6 +127,9 @@ TEST_CASE("a malformed reference is an error that names the file, the place and 
     CHECK_THAT(failure(replaced("\"parent\": \"chest\"", "\"parent\": \"tail\"")),
                Contains("joints[1].parent"));
     CHECK_THAT(failure(replaced("\"parent\": null", "\"parent\": \"head\"")), Contains("joints[0].parent"));
+    CHECK_THAT(failure(replaced("\"cycles\": 2", "\"lift\": 0.1")), Contains("lift: belongs to the axis step"));
+    CHECK_THAT(failure(replaced("\"cycles\": 2", "\"bend\": -1")), Contains("bend: belongs to the axes step and plant"));
+    CHECK_THAT(failure(replaced("\"axis\": \"z\"", "\"axis\": \"plant\"")), Contains("cycles: does not belong"));
     CHECK_THAT(failure(replaced("\"axis\": \"z\"", "\"axis\": \"w\"")), Contains("clips[0].tracks[0].axis"));
     CHECK_THAT(failure(replaced("\"cycles\": 2", "\"cycles\": 2.5")), Contains("whole number"));
     CHECK_THAT(failure(replaced("\"cycles\"", "\"cycle\"")), Contains("unknown key \"cycle\""));

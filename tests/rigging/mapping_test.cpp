@@ -34,7 +34,7 @@ Mapped map_figure(const LabelMap& labels, const std::string& expected, const Map
     const Identification found = identify(result.skeleton.graph, labels, references);
     REQUIRE(found.reference == expected);
     const ReferenceSkeleton& reference = find(references, expected);
-    result.mapping = map_end_effectors(result.skeleton.graph, result.skeleton.mask, reference,
+    result.mapping = map_end_effectors(result.skeleton.graph, labels, reference,
                                        found.candidates[0], options);
     for (const EndPair& p : result.mapping.pairs) {
         const SkeletonVertex& v = result.skeleton.graph.vertices[p.end];
@@ -137,7 +137,7 @@ TEST_CASE("a fifth leg-like end in the place of the tail is taken for the tail")
     const LabelMap labels = figures::paint(250, 200, strokes);
     const Skeletonization skeleton = skeletonize(labels);
     const ReferenceSkeleton quadruped = load_references()[1];
-    const Mapping mapping = map_end_effectors(skeleton.graph, skeleton.mask, quadruped, {});
+    const Mapping mapping = map_end_effectors(skeleton.graph, labels, quadruped, {});
     for (const EndPair& p : mapping.pairs)
         if (quadruped.nodes[p.reference_end].name == "tail") {
             CHECK(skeleton.graph.vertices[p.end].x > 200);

@@ -55,7 +55,7 @@ TEST_CASE("limbs begin where they leave the body and end at the end-effector") {
 
 TEST_CASE("bones form chains with their parents first, named after the reference's joints") {
     const Rig rig = rig_of(table());
-    REQUIRE(rig.bones.size() == 1 + 1 + 2 + 4 * 2); // body, head, tail, legs
+    REQUIRE(rig.bones.size() == 2 + 1 + 2 + 4 * 2); // hips and chest, head, tail, legs
     CHECK(rig.bones[0].name == "hips");
     CHECK(rig.bones[0].parent == -1);
     for (std::size_t b = 1; b < rig.bones.size(); ++b) CHECK(rig.bones[b].parent < static_cast<int>(b));
@@ -63,6 +63,8 @@ TEST_CASE("bones form chains with their parents first, named after the reference
     REQUIRE(leg > 0);
     REQUIRE(shin > 0);
     CHECK(rig.bones[leg].parent == 0);
+    CHECK(rig.bones[bone_named(rig, "leg_front_left")].parent == bone_named(rig, "chest"));
+    CHECK(rig.bones[bone_named(rig, "head")].parent == bone_named(rig, "chest"));
     CHECK(rig.bones[shin].parent == leg);
     CHECK(rig.bones[leg].tail == rig.bones[shin].head);
     CHECK(rig.bones[leg].head == Point2d{72, 50});
@@ -73,7 +75,8 @@ TEST_CASE("smooth weights sum to exactly one, with at most four bones, and stay 
     const Rig rig = rig_of(table());
     REQUIRE(rig.weights.size() == rig.mesh.vertices.size());
     const int leg = bone_named(rig, "leg_front_left"), other = bone_named(rig, "leg_front_right");
-    const int shin = bone_named(rig, "leg_front_left.1");
+    const int shin = bone_named(rig, "leg_front_left.1"), chest = bone_named(rig, "chest");
+    REQUIRE(chest > 0);
     for (std::size_t v = 0; v < rig.weights.size(); ++v) {
         const VertexWeights& w = rig.weights[v];
         double sum = 0;
@@ -90,7 +93,9 @@ TEST_CASE("smooth weights sum to exactly one, with at most four bones, and stay 
         const Point2d p = rig.mesh.vertices[v];
         if (p.y > 80 && p.x < 34) CHECK(weight_of(w, shin) > 0.9);           // the foot
         if (p.y > 62 && p.x < 34) CHECK(limb_weight(rig, w, leg) > 0.95);    // the leg
-        if (p.y < 44 && p.x > 30 && p.x < 90) CHECK(weight_of(w, 0) > 0.95); // the back
+        if (p.y < 44 && p.x > 30 && p.x < 90) CHECK(weight_of(w, 0) + weight_of(w, chest) > 0.95); // the back
+        if (p.y < 44 && p.x > 75 && p.x < 90) CHECK(weight_of(w, 0) > 0.9);
+        if (p.y < 44 && p.x > 30 && p.x < 36) CHECK(weight_of(w, chest) > 0.9);
         if (p.y > 60 && p.x < 34) CHECK(limb_weight(rig, w, other) == 0);
     }
 }

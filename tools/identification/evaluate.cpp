@@ -99,7 +99,7 @@ void evaluate(const LabelMap& labels, const std::vector<ReferenceSkeleton>& refe
         options.label_aware = aware;
         options.length_in_pixels = !aware;
         print_mapping(skeleton.graph,
-                      map_end_effectors(skeleton.graph, skeleton.mask, best, found.candidates[0], options),
+                      map_end_effectors(skeleton.graph, labels, best, found.candidates[0], options),
                       best);
     }
 }

@@ -1,7 +1,9 @@
-// How far clips stretch and crush the mesh: for each character folder and clip, over all key poses, the largest stretch of an
+// How far clips stretch and crush the mesh, and how far feet slide: for each character folder and clip, over all key poses, the largest stretch of an
 // edge (length / length at rest), the 99th percentile of the edges' largest stretches, and the smallest area of a triangle
 // over its area at rest, all in 3D (a limb that turns towards the viewer is not crushed). Edges and triangles smaller than
-// a hundredth of the mean are left out: their ratios mean nothing to the eye.
+// a hundredth of the mean are left out: their ratios mean nothing to the eye. A foot is the lowest vertex of the outer half
+// of a leg's last bone, where the clip says that it steps or is planted; it is on the ground while it is less than a hundredth of the character's height above its
+// place at rest. Its slide is the largest way over the ground within one such time, as a share of the character's height.
 //
 // usage: motion_quality PRESET CHARACTER_DIR... > table.tsv   (the preset that made the folders: default or thesis)
 #include <algorithm>
@@ -9,6 +11,7 @@
 #include <cstdio>
 #include <map>
 
+#include "animation/footing.hpp"
 #include "animation/vector.hpp"
 #include "pipeline/clips.hpp"
 #include "pipeline/character.hpp"
@@ -56,10 +59,53 @@ Shape shape_of(const Rig& rig, const std::vector<Vec3>& rest) {
     return shape;
 }
 
-void measure(const std::string& folder, const std::string& reference, const Rig& rig, const BoneAnimation& animation) {
+constexpr double on_ground = 0.01; // of the character's height
+
+std::vector<int> feet_of(const Rig& rig, const ReferenceClip& clip) {
+    std::vector<int> feet;
+    for (std::size_t b = 1; b < rig.bones.size(); ++b) {
+        const bool last = b + 1 == rig.bones.size() || rig.bones[b + 1].segment == 0;
+        const bool steps = std::any_of(clip.tracks.begin(), clip.tracks.end(), [&](const ReferenceTrack& t) {
+            return (t.axis == "step" || t.axis == "plant") && t.joint == rig.bones[b].reference_joint;
+        });
+        const int foot = last && steps ? foot_vertex(rig, static_cast<int>(b)) : -1;
+        if (foot >= 0) feet.push_back(foot);
+    }
+    return feet;
+}
+
+double height_of(const std::vector<Vec3>& points) {
+    double low = points.front().y, high = low;
+    for (const Vec3& p : points) low = std::min(low, p.y), high = std::max(high, p.y);
+    return high - low;
+}
+
+double slide_of(const Rig& rig, const BoneAnimation& animation, const std::vector<int>& feet, const std::vector<Vec3>& rest) {
+    const double height = height_of(rest);
+    double slide = 0;
+    std::vector<double> least(feet.size()), most(feet.size());
+    std::vector<char> down(feet.size());
+    for (const double time : animation.times) {
+        const std::vector<Vec3> p = skin(rig, animation, time);
+        for (std::size_t f = 0; f < feet.size(); ++f) {
+            const Vec3 place = p[feet[f]];
+            const double way = place.x - animation.ground_speed * time;
+            const bool was_down = std::exchange(down[f], place.y - rest[feet[f]].y < on_ground * height);
+            least[f] = was_down ? std::min(least[f], way) : way;
+            most[f] = was_down ? std::max(most[f], way) : way;
+            if (down[f]) slide = std::max(slide, (most[f] - least[f]) / height);
+        }
+    }
+    return slide;
+}
+
+void measure(const std::string& folder, const ReferenceSkeleton& reference, const Rig& rig, const BoneAnimation& animation) {
     std::vector<Vec3> rest;
     for (std::size_t v = 0; v < rig.mesh.vertices.size(); ++v)
         rest.push_back(to_world(rig.mesh.vertices[v], rig.width, rig.height, rig.depth[v]));
+    const auto clip = std::find_if(reference.clips.begin(), reference.clips.end(),
+                                   [&](const ReferenceClip& c) { return c.name == animation.name; });
+    const double slide = clip == reference.clips.end() ? 0 : slide_of(rig, animation, feet_of(rig, *clip), rest);
     const Shape shape = shape_of(rig, rest);
     std::vector<double> stretch(shape.edges.size());
     double crushed = 1;
@@ -75,8 +121,8 @@ void measure(const std::string& folder, const std::string& reference, const Rig&
         }
     }
     std::sort(stretch.begin(), stretch.end());
-    std::printf("%s\t%s\t%s\t%.3f\t%.3f\t%.3f\n", folder.c_str(), reference.c_str(), animation.name.c_str(), stretch.back(),
-                stretch[stretch.size() * 99 / 100], crushed);
+    std::printf("%s\t%s\t%s\t%.3f\t%.3f\t%.3f\t%.4f\n", folder.c_str(), reference.name.c_str(), animation.name.c_str(), stretch.back(),
+                stretch[stretch.size() * 99 / 100], crushed, slide);
 }
 
 } // namespace
@@ -86,7 +132,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "usage: motion_quality PRESET CHARACTER_DIR...\n");
         return 2;
     }
-    std::printf("character\treference\tclip\tlargest_stretch\tstretch_99\tsmallest_area\n");
+    std::printf("character\treference\tclip\tlargest_stretch\tstretch_99\tsmallest_area\tslide\n");
     try {
         Settings settings;
         settings.options = make_preset(argv[1]);
@@ -97,7 +143,7 @@ int main(int argc, char** argv) {
             const Rig& rig = rig_of(character, workshop);
             const ReferenceSkeleton& reference = workshop.reference(identification_of(character, workshop).reference);
             for (const BoneAnimation& animation : animations_of(rig, reference, workshop))
-                measure(argv[i], reference.name, rig, animation);
+                measure(argv[i], reference, rig, animation);
         }
     } catch (const Error& error) {
         std::fprintf(stderr, "motion_quality: %s\n", error.what());
