@@ -79,6 +79,12 @@ ReferenceSkeleton parse_reference(std::span<const unsigned char> json, const std
 // replace the ones of their name or are added. Error(input) names the file.
 std::vector<ReferenceSkeleton> load_references(const std::filesystem::path& directory = {});
 
+// A reference between two. Ends of one label and nearest place are one; what `second` has more of a label is added to `first` (a
+// quadruped gets wings, a bird gets two more legs), with its joint. Each clip of `first` is mixed with the second's clip of that
+// name, or its first one: parts of which one reference has more move as that one says, the others by `share` as the first and by
+// 1 − `share` as the second says. Name, like, needs and the first nodes are the first's.
+ReferenceSkeleton blend(const ReferenceSkeleton& first, const ReferenceSkeleton& second, double share);
+
 // --- geometric graph distance (Cheong et al. 2009, thesis Eq. 4.3–4.7) -------------------------------------
 
 struct LabelledGraph {

@@ -71,6 +71,7 @@ struct Settings {
     std::filesystem::path references; // folder of more reference skeletons; empty: none
     std::filesystem::path mapping;    // rig_folder: pairs as in mapping.json instead of matching; empty: match
     std::filesystem::path motion;     // a BVH file that humanoids follow, as one more clip of its name; empty: none
+    bool blend = false;               // clips of the two best types are mixed
     int rotate = 0;                   // degrees by which a page is first turned clockwise: 0, 90, 180, 270
     int threads = 1;                  // results do not depend on it
     bool animated_drawings = false;   // humanoids are also written as AnimatedDrawings character folders
@@ -91,6 +92,7 @@ struct PageCharacter {
 };
 struct Page {
     std::string source; // file name of the picture
+    bool blend = false;               // clips of the two best types are mixed
     int rotate = 0; // degrees by which the picture was first turned clockwise
     int width = 0, height = 0; // after that
     std::string detector = "contour";

@@ -75,7 +75,7 @@ void add_animate(CLI::App& app, Run& run) {
     command->add_option("--mask", arguments->mask, "PNG of the page's size, white where the one character is: no detection");
     command->add_option("--labels", arguments->labels, "PNG of the page's size with part labels 0 to 5: no segmentation");
     command->add_option("--reference", arguments->reference, "what every character moves like, whatever identification says");
-    add_motion_option(*command, arguments->common);
+    add_motion_options(*command, arguments->common);
     add_animated_drawings_option(*command, arguments->common);
     add_rotate_option(*command, arguments->common);
     add_detector_option(*command, arguments->common);

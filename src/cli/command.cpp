@@ -96,7 +96,8 @@ void add_rotate_option(CLI::App& command, CommonOptions& options) {
         ->check(CLI::IsMember({0, 90, 180, 270}));
 }
 
-void add_motion_option(CLI::App& command, CommonOptions& options) {
+void add_motion_options(CLI::App& command, CommonOptions& options) {
+    command.add_flag("--blend", options.blend, "between two types: the clips of both, mixed by their confidence");
     command.add_option("--motion", options.motion, "BVH file: humanoids follow it as one more clip, of the file's name");
 }
 
@@ -129,6 +130,7 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
     settings.weights = options.weights;
     settings.references = options.references;
     settings.motion = options.motion;
+    settings.blend = options.blend;
     settings.rotate = options.rotate;
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
     settings.threads = options.threads > 0 ? options.threads : static_cast<int>(std::min(cores, 256u));

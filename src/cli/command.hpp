@@ -20,7 +20,7 @@ struct CommonOptions {
     std::string config, detector, weights, references, motion;
     int threads = 0; // 0: all cores
     int rotate = 0;
-    bool trace = false, quiet = false, animated_drawings = false;
+    bool trace = false, quiet = false, animated_drawings = false, blend = false;
 };
 struct RenderFlags {
     std::string clip = "all", background = "transparent";
@@ -33,7 +33,7 @@ struct RenderFlags {
 void add_common_options(CLI::App& command, CommonOptions& options);
 void add_detector_option(CLI::App& command, CommonOptions& options); // of the commands that detect
 void add_rotate_option(CLI::App& command, CommonOptions& options);   // of those that read a page
-void add_motion_option(CLI::App& command, CommonOptions& options);   // of those that move a character
+void add_motion_options(CLI::App& command, CommonOptions& options);  // of those that move a character
 void add_animated_drawings_option(CLI::App& command, CommonOptions& options); // of those that rig
 void add_render_options(CLI::App& command, RenderFlags& flags);
 

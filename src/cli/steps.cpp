@@ -64,7 +64,7 @@ void add_rig(CLI::App& app, Run& run) {
     const auto arguments = std::make_shared<FolderArguments>();
     CLI::App* command = add_folder_command(app, run, "rig", "step 5: mesh, bones, weights and character.glb", arguments,
                                            rig_with);
-    add_motion_option(*command, arguments->common);
+    add_motion_options(*command, arguments->common);
     add_animated_drawings_option(*command, arguments->common);
     command->add_option("--mapping", *mapping,
                      "mapping.json with the pairs of end-effectors to use instead of matching");
@@ -85,7 +85,7 @@ void add_render(CLI::App& app, Run& run) {
     const auto arguments = std::make_shared<FolderArguments>();
     CLI::App* command = add_folder_command(app, run, "render", "frames, WebP and GIF of the clips", arguments,
                                            render_folder);
-    add_motion_option(*command, arguments->common);
+    add_motion_options(*command, arguments->common);
     add_render_options(*command, arguments->render);
 }
 

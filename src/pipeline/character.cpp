@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/file.hpp"
+#include "core/math.hpp"
 #include "pantin/image.hpp"
 #include "pipeline/json_files.hpp"
 
@@ -78,9 +79,26 @@ const Identification& identification_of(Character& character, Workshop& workshop
     return *character.identification;
 }
 
+const ReferenceSkeleton& reference_of(Character& character, Workshop& workshop) {
+    const Identification& identification = identification_of(character, workshop);
+    const ReferenceSkeleton& chosen = workshop.reference(identification.reference);
+    if (!workshop.settings().blend) return chosen;
+    if (character.blended) return *character.blended;
+    const std::vector<Candidate>& all = identification.candidates;
+    const auto own = std::find_if(all.begin(), all.end(), [&](const Candidate& c) { return c.reference == chosen.name; });
+    const auto other = std::find_if(all.begin(), all.end(), [&](const Candidate& c) {
+        const ReferenceSkeleton& r = workshop.reference(c.reference);
+        return r.like.empty() && r.name != chosen.name && r.name != chosen.like;
+    });
+    if (own == all.end() || other == all.end()) return chosen;
+    const double share = 1 / (1 + math::exp(own->score - other->score));
+    character.blended = blend(chosen, workshop.reference(other->reference), share);
+    return *character.blended;
+}
+
 Rig rig_from_mapping(Character& character, Workshop& workshop, const std::filesystem::path& file) {
     const Identification& identification = identification_of(character, workshop);
-    const ReferenceSkeleton& reference = workshop.reference(identification.reference);
+    const ReferenceSkeleton& reference = reference_of(character, workshop);
     const auto chosen =
         std::find_if(identification.candidates.begin(), identification.candidates.end(),
                      [&](const Candidate& c) { return c.reference == identification.reference; });

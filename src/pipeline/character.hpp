@@ -15,6 +15,7 @@ struct Character {
     std::optional<LabelMap> labels;
     std::optional<SkeletonGraph> skeleton;
     std::optional<Identification> identification;
+    std::optional<ReferenceSkeleton> blended; // with --blend
     std::optional<Rig> rig;
 };
 
@@ -25,6 +26,8 @@ const Mask& mask_of(Character& character);              // working size
 const LabelMap& labels_of(Character& character);        // of the mask's size
 const SkeletonGraph& skeleton_of(Character& character); // of the labels' size
 const Identification& identification_of(Character& character, Workshop& workshop);
+// The reference that identification chose; with --blend mixed with the best one of another type.
+const ReferenceSkeleton& reference_of(Character& character, Workshop& workshop);
 // Rigged anew from skeleton, labels, identification and mapping (a matter of milliseconds); the weights are
 // those of weights.txt, so that mapping and weights can be corrected by hand.
 const Rig& rig_of(Character& character, Workshop& workshop);

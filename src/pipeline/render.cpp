@@ -55,7 +55,7 @@ View view_for(const Rig& rig, const BoneAnimation& animation, const std::vector<
 void run_render(Character& character, Workshop& workshop) {
     const Settings& settings = workshop.settings();
     const Rig& rig = rig_of(character, workshop);
-    const ReferenceSkeleton& reference = workshop.reference(identification_of(character, workshop).reference);
+    const ReferenceSkeleton& reference = reference_of(character, workshop);
     const std::vector<BoneAnimation> all = animations_of(rig, reference, workshop);
     const RgbaImage texture = make_texture(drawing_of(character), labels_of(character));
     const std::string motion = workshop.motion() ? workshop.motion()->motion.name : "";

@@ -42,8 +42,7 @@ std::vector<Actor> cast(const Page& page, std::vector<Character>& characters, Wo
     for (std::size_t i = 0; i < characters.size(); ++i) {
         if (page.characters[i].status != "ok") continue;
         Character& character = characters[i];
-        const ReferenceSkeleton& reference =
-            workshop.reference(identification_of(character, workshop).reference);
+        const ReferenceSkeleton& reference = reference_of(character, workshop);
         if (reference.clips.empty()) continue;
         Actor actor;
         actor.rig = &rig_of(character, workshop);

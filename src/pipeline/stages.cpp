@@ -46,11 +46,11 @@ void run_identify(Character& character, Workshop& workshop) {
 
 void run_rig(Character& character, Workshop& workshop) {
     const Identification& identification = identification_of(character, workshop);
+    const ReferenceSkeleton& reference = reference_of(character, workshop);
     const std::filesystem::path& mapping = workshop.settings().mapping;
-    Rig result = mapping.empty() ? rig(skeleton_of(character), labels_of(character), identification,
-                                       workshop.references(), workshop.options().rigging)
+    Rig result = mapping.empty() ? rig(skeleton_of(character), labels_of(character), identification, {reference},
+                                       workshop.options().rigging)
                                  : rig_from_mapping(character, workshop, mapping);
-    const ReferenceSkeleton& reference = workshop.reference(identification.reference);
     const std::vector<BoneAnimation> animations = animations_of(result, reference, workshop);
     const RgbaImage texture = make_texture(drawing_of(character), labels_of(character));
 

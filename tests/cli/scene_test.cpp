@@ -123,3 +123,13 @@ TEST_CASE("A motion that cannot be used is one line and exit code 3 before anyth
         CHECK_FALSE(fs::exists(out));
     }
 }
+
+TEST_CASE("--blend is the same in one go and step by step", "[cli][blend]") {
+    const TemporaryFolder folder;
+    const fs::path out = folder / "out";
+    REQUIRE(run_pantin({"animate", small_page, "-o", out.string(), "--blend", "--format", "bvh"}).code == 0);
+    const auto before = read_all(out / "character-1");
+    REQUIRE(run_pantin({"rig", (out / "character-1").string(), "--blend"}).code == 0);
+    REQUIRE(run_pantin({"render", (out / "character-1").string(), "--blend", "--format", "bvh"}).code == 0);
+    CHECK(read_all(out / "character-1") == before);
+}

@@ -141,7 +141,7 @@ int main(int argc, char** argv) {
             Character character;
             character.folder = argv[i];
             const Rig& rig = rig_of(character, workshop);
-            const ReferenceSkeleton& reference = workshop.reference(identification_of(character, workshop).reference);
+            const ReferenceSkeleton& reference = reference_of(character, workshop);
             for (const BoneAnimation& animation : animations_of(rig, reference, workshop))
                 measure(argv[i], reference, rig, animation);
         }
