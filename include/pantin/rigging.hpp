@@ -85,6 +85,7 @@ struct MeshOptions {
     int cell = 0; // side of a voxel in working pixels; 0: from the size and the thinnest limb (ERRATA 21)
     double margin = -1; // the silhouette is grown by this many pixels first; −1: `ink_margin`; `thesis`: 0
     bool interpolate_distance = true; // `thesis`: false, the midpoint
+    double snap = 0.35; // share of the cell: a voxel corner so close to the border is moved onto it; `thesis`: 0
     bool cut_touching_parts = true;   // ERRATA 22; `thesis`: false
 };
 // Marching squares quad mesh (thesis 4.6, Fig. 4.17; Maple 2003) of the silhouette grown by `options.margin`

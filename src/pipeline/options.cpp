@@ -111,6 +111,7 @@ template <class Visitor> void visit_rigging(RigOptions& o, Visitor& visit) {
     visit("rigging.cell", o.mesh.cell, 0, 512);
     visit("rigging.margin", o.mesh.margin, -1, 100);
     visit("rigging.interpolate_distance", o.mesh.interpolate_distance);
+    visit("rigging.snap", o.mesh.snap, 0, 1);
     visit("rigging.cut_touching_parts", o.mesh.cut_touching_parts);
     visit("rigging.thesis_weights", o.thesis_weights);
     visit("rigging.limb_segments", o.limb_segments, 1, 4);
@@ -212,6 +213,7 @@ Options make_preset(std::string_view name) {
     options.rigging.mapping.length_in_pixels = true;   // Eq. 4.9, ERRATA 15
     options.rigging.mapping.label_aware = false;       // ERRATA 19
     options.rigging.mesh.interpolate_distance = false; // 4.6: a binary mask, so midpoints (ERRATA 21)
+    options.rigging.mesh.snap = 0;
     options.rigging.mesh.margin = 0;                   // 4.6: the mask itself
     options.rigging.mesh.cut_touching_parts = false;   // ERRATA 22
     options.rigging.thesis_weights = true;             // Algorithm 4.4

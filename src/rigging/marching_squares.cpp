@@ -3,7 +3,8 @@
 // Carsten Maple, Geometric design and space planning using the marching squares and marching cube algorithms,
 // 2003. Departures (ERRATA 21): positions on voxel edges interpolate the signed exact Euclidean distance,
 // unless the midpoint is asked for; the silhouette may be grown first; the cell shrinks until no limb splits
-// and no ring closes.
+// and no ring closes. Voxel corners that the border passes closely are moved onto it, so that no sliver is cut off, after:
+// F. Labelle, J. R. Shewchuk, Isosurface stuffing, 2007, section 3.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -57,16 +58,45 @@ private:
     Grid<double> values_;
 };
 
+double cosine_at(Point2d corner, Point2d a, Point2d b) {
+    const Point2d u = a - corner, v = b - corner;
+    return dot(u, v) / std::max(1e-12, length(u) * length(v));
+}
+
+// The sharpest corner of the triangles into which a face falls, as a fan from its first vertex: cosine.
+double sharpest_of_fan(const std::vector<int>& face, const std::vector<Point2d>& vertices) {
+    double sharpest = -1;
+    for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+        const Point2d a = vertices[face[0]], b = vertices[face[i]], c = vertices[face[i + 1]];
+        sharpest = std::max({sharpest, cosine_at(a, b, c), cosine_at(b, c, a), cosine_at(c, a, b)});
+    }
+    return sharpest;
+}
+
+// Turns the face so that its fan has the least sharp triangles.
+void choose_fan(std::vector<int>& face, const std::vector<Point2d>& vertices) {
+    std::vector<int> turned = face;
+    double best = sharpest_of_fan(face, vertices);
+    for (std::size_t k = 1; k < turned.size(); ++k) {
+        std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+        const double sharpest = sharpest_of_fan(turned, vertices);
+        if (sharpest < best - 1e-9) best = sharpest, face = turned;
+    }
+}
+
 // Walks over the voxels; vertices are numbered in the order in which the voxels (row by row, corners
 // clockwise from the top left) first touch them.
 class MeshBuilder {
 public:
-    MeshBuilder(const DistanceField& field, int cell, bool interpolate)
-        : field_(field), cell_(cell), interpolate_(interpolate) {}
+    MeshBuilder(const DistanceField& field, int cell, const MeshOptions& options)
+        : field_(field), cell_(cell), interpolate_(options.interpolate_distance),
+          snap_(options.interpolate_distance ? options.snap : 0) {}
 
     Mesh build(int left, int top, int right, int bottom) {
         for (int y = top; y < bottom; y += cell_)
             for (int x = left; x < right; x += cell_) add_voxel(x, y);
+        if (snap_ > 0)
+            for (std::vector<int>& face : mesh_.faces) choose_fan(face, mesh_.vertices);
         return std::move(mesh_);
     }
 
@@ -82,7 +112,31 @@ private:
         if (is_new) mesh_.vertices.push_back(position);
         return it->second;
     }
-    int corner_vertex(Point2i p) { return vertex(p, p, to_double(p)); }
+
+    // A voxel corner: inside, outside, or moved onto the border.
+    struct Node {
+        Point2i corner;
+        int side = 0; // 1, −1, 0
+        Point2d place;
+    };
+    // The border's nearest crossing of an edge at the corner, if it is close and the silhouette, or the paper, goes on at the
+    // corner's other side: a thin limb stays, and so does a thin gap.
+    Node node_at(Point2i p) const {
+        const double v = field_(p.x, p.y);
+        Node node{p, v > 0 ? 1 : -1, to_double(p)};
+        double nearest = snap_;
+        for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
+            const double across = field_(p.x + dx * cell_, p.y + dy * cell_), behind = field_(p.x - dx * cell_, p.y - dy * cell_);
+            if ((across > 0) == (v > 0) || (behind > 0) != (v > 0)) continue;
+            const double t = v / (v - across);
+            if (t >= nearest) continue;
+            nearest = t;
+            node.side = 0;
+            node.place = {p.x + t * dx * cell_, p.y + t * dy * cell_};
+        }
+        return node;
+    }
+    int corner_vertex(const Node& node) { return vertex(node.corner, node.corner, node.place); }
 
     // The border's crossing of the voxel edge a–b, computed from the left or upper end whichever voxel asks.
     int edge_vertex(Point2i a, Point2i b) {
@@ -97,18 +151,19 @@ private:
     bool joined(int x, int y) const { return cell_ == 1 || field_(x + cell_ / 2, y + cell_ / 2) > 0; }
 
     void add_voxel(int x, int y) {
-        const std::array<Point2i, 4> corners = {
-            Point2i{x, y}, {x + cell_, y}, {x + cell_, y + cell_}, {x, y + cell_}};
-        std::array<bool, 4> inside{};
-        for (int i = 0; i < 4; ++i) inside[i] = field_(corners[i].x, corners[i].y) > 0;
+        const std::array<Node, 4> nodes = {node_at({x, y}), node_at({x + cell_, y}), node_at({x + cell_, y + cell_}),
+                                           node_at({x, y + cell_})};
+        if (std::none_of(nodes.begin(), nodes.end(), [](const Node& n) { return n.side > 0; })) return;
         std::vector<Corner> polygon;
         for (int i = 0; i < 4; ++i) {
-            const int next = (i + 1) % 4;
-            if (inside[i]) polygon.push_back({corner_vertex(corners[i]), false});
-            if (inside[i] != inside[next]) polygon.push_back({edge_vertex(corners[i], corners[next]), true});
+            const Node &node = nodes[i], &next = nodes[(i + 1) % 4], &last = nodes[(i + 3) % 4];
+            const bool beyond = node.side == 0 && next.side < 0 && last.side < 0; // of a border that turns away
+            if (node.side >= 0 && !beyond) polygon.push_back({corner_vertex(node), false});
+            if (node.side * next.side < 0) polygon.push_back({edge_vertex(node.corner, next.corner), true});
         }
-        if (polygon.empty()) return;
-        const bool ambiguous = inside[0] == inside[2] && inside[1] == inside[3] && inside[0] != inside[1];
+        if (polygon.size() < 3) return;
+        const bool ambiguous = nodes[0].side == nodes[2].side && nodes[1].side == nodes[3].side &&
+                               nodes[0].side * nodes[1].side < 0;
         if (ambiguous && !joined(x, y))
             add_two_triangles(polygon);
         else
@@ -127,6 +182,7 @@ private:
     const DistanceField& field_;
     int cell_;
     bool interpolate_;
+    double snap_;
     Mesh mesh_;
     std::map<std::array<int, 4>, int> ids_; // (end, end) of the voxel edge, or twice the voxel corner
 };
@@ -135,9 +191,9 @@ int floor_to(int value, int cell) {
     return (value >= 0 ? value / cell : -((-value + cell - 1) / cell)) * cell;
 }
 
-Mesh mesh_of(const DistanceField& field, const Mask& silhouette, int cell, int reach, bool interpolate) {
+Mesh mesh_of(const DistanceField& field, const Mask& silhouette, int cell, int reach, const MeshOptions& options) {
     const int start = floor_to(-reach - cell, cell);
-    return MeshBuilder(field, cell, interpolate)
+    return MeshBuilder(field, cell, options)
         .build(start, start, silhouette.width() + reach, silhouette.height() + reach);
 }
 
@@ -158,12 +214,12 @@ Mesh marching_squares(const Mask& silhouette, const MeshOptions& options) {
     int cell = options.cell;
     if (cell <= 0) cell = std::max(2 * min_cell, std::max(silhouette.width(), silhouette.height()) / 64);
     const DistanceField field(silhouette, 3 * cell + 2 * reach, margin);
-    Mesh mesh = mesh_of(field, silhouette, cell, reach, options.interpolate_distance);
+    Mesh mesh = mesh_of(field, silhouette, cell, reach, options);
     if (options.cell > 0) return mesh;
     const Mask grown = field.grown();
     while (cell > min_cell && mesh.vertices.size() <= max_vertices && !same_topology(mesh, grown, cell)) {
         cell = std::max(min_cell, cell * 3 / 4);
-        mesh = mesh_of(field, silhouette, cell, reach, options.interpolate_distance);
+        mesh = mesh_of(field, silhouette, cell, reach, options);
     }
     return mesh;
 }

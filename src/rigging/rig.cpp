@@ -19,14 +19,16 @@ namespace {
 
 constexpr double depth_step = 0.002; // world units between two parts in the draw order
 
-// Mean edge of the mesh's full voxels: the cell, also when it was chosen automatically.
+// The median edge along the axes: the cell, also when it was chosen automatically.
 double cell_of(const Mesh& mesh) {
-    double longest = 1;
+    std::vector<double> lengths = {1};
     for (const auto& [u, v] : edges_of(mesh)) {
         const Point2d d = mesh.vertices[v] - mesh.vertices[u];
-        if (d.x == 0 || d.y == 0) longest = std::max(longest, length(d));
+        if (d.x == 0 || d.y == 0) lengths.push_back(length(d));
     }
-    return longest;
+    const auto middle = lengths.begin() + std::ssize(lengths) / 2;
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    return *middle;
 }
 
 Point2d centre_of(const LabelMap& labels, const Mask& silhouette, Label label, Point2d otherwise) {

@@ -55,6 +55,20 @@ MeshOptions options_with(int cell, bool interpolate = true, double margin = 0) {
     return options;
 }
 
+// In degrees, over the fans of all faces.
+double sharpest_corner(const Mesh& mesh) {
+    double sharpest = 180;
+    for (const std::vector<int>& face : mesh.faces)
+        for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+            const Point2d p[3] = {mesh.vertices[face[0]], mesh.vertices[face[i]], mesh.vertices[face[i + 1]]};
+            for (int k = 0; k < 3; ++k) {
+                const Point2d u = p[(k + 1) % 3] - p[k], v = p[(k + 2) % 3] - p[k];
+                sharpest = std::min(sharpest, std::atan2(std::abs(cross(u, v)), dot(u, v)) * 180 / 3.14159265358979323846);
+            }
+        }
+    return sharpest;
+}
+
 void check_is_proper(const Mesh& mesh) {
     std::set<std::pair<double, double>> places;
     for (const Point2d& p : mesh.vertices) places.insert({p.x, p.y});
@@ -100,6 +114,29 @@ TEST_CASE("a square is meshed by quads, with interpolated distances to the pixel
     for (const Point2d& p : finer.vertices) left = std::min(left, p.x), right = std::max(right, p.x);
     CHECK(left == Approx(8 - 8.0 / 9)); // 1 inside, 8 outside
     CHECK(right == Approx(16 + 8 * 8.0 / 9));
+}
+
+TEST_CASE("corners that the border passes closely are moved onto it: no slivers, the same shape") {
+    double with = 180, without = 180;
+    for (int step = 0; step < 60; ++step) {
+        Mask mask(120, 120);
+        const double cx = 60 + 0.21 * step, cy = 60 - 0.13 * step, a = 25 + 0.4 * step, b = 48 - 0.3 * step;
+        for (int y = 0; y < 120; ++y)
+            for (int x = 0; x < 120; ++x)
+                mask(x, y) = (x - cx) * (x - cx) / (a * a) + (y - cy) * (y - cy) / (b * b) < 1;
+        MeshOptions options = options_with(8);
+        const Mesh snapped = marching_squares(mask, options);
+        options.snap = 0;
+        const Mesh plain = marching_squares(mask, options);
+        check_is_proper(snapped);
+        with = std::min(with, sharpest_corner(snapped));
+        without = std::min(without, sharpest_corner(plain));
+        CHECK(area_of(snapped) == Approx(area_of(plain)).epsilon(0.01));
+        CHECK(border_area(snapped) == Approx(area_of(snapped)));
+        CHECK(topology_of(snapped) == topology_of(plain));
+    }
+    CHECK(with > 10);
+    CHECK(without < 6);
 }
 
 TEST_CASE("in the ambiguous case the value inside the voxel decides") {
