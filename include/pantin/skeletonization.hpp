@@ -29,6 +29,8 @@ struct SkeletonizationOptions {
     // Limbs, tails or wings that touch are cut apart where they are farthest from the body, since a cycle has
     // no end that could move (11 of 562 figures); `thesis`: false.
     bool cut_cycles = true;
+    // A shape whose skeleton is a single point (a round duck) gets half the threshold, again and again; `thesis`: false.
+    bool lower_threshold = true;
 };
 
 struct SkeletonVertex {

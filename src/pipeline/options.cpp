@@ -80,6 +80,7 @@ template <class Visitor> void visit_skeletonization(SkeletonizationOptions& o, V
     visit("skeletonization.fill_holes_share", o.fill_holes_share, 0, 1);
     visit("skeletonization.recover_parts_share", o.recover_parts_share, 0, 1);
     visit("skeletonization.cut_cycles", o.cut_cycles);
+    visit("skeletonization.lower_threshold", o.lower_threshold);
 }
 
 template <class Visitor> void visit_identification(IdentificationOptions& o, Visitor& visit) {
@@ -206,6 +207,7 @@ Options make_preset(std::string_view name) {
     options.skeletonization.residual = Residual::arc; // 3.4, ERRATA 1
     options.skeletonization.recover_parts_share = 0;
     options.skeletonization.cut_cycles = false;
+    options.skeletonization.lower_threshold = false;
     options.skeletonization.fill_holes_share = 0; // ERRATA 4: holes are kept
     options.identification.thesis_score = true;        // Eq. 4.3–4.7, K_v of ch. 5, ERRATA 8
     options.identification.use_evidence = false;       // ERRATA 10

@@ -12,6 +12,7 @@ namespace pantin {
 namespace {
 
 constexpr double reference_side = 321; // pixel constants of the thesis hold at this size
+constexpr double lowest_threshold = 7; // at that size; below it the skeleton shows the pen, not the shape
 
 long area(const Mask& mask) { return std::count(mask.begin(), mask.end(), 1); }
 
@@ -46,20 +47,10 @@ void find_voronoi(Skeletonization& s, const BorderSites& sites, Residual residua
     }
 }
 
-} // namespace
-
-Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions& options) {
-    const double scale = std::max(labels.width(), labels.height()) / reference_side;
-    const double threshold = options.residual_threshold * scale;
-
-    Skeletonization s;
-    s.mask = silhouette(labels, options.fill_holes_share);
-    if (area(s.mask) == 0) throw CharacterRejected("skeletonize", "the silhouette is empty");
-    s.contour = follow_borders(s.mask);
-    const BorderSites sites = border_sites(s.contour, s.mask.width(), s.mask.height());
-    find_voronoi(s, sites, options.residual);
+// From the Voronoi edges above the threshold to the labelled graph.
+void find_graph(Skeletonization& s, const BorderSites& sites, const LabelMap& parts, double threshold,
+                const SkeletonizationOptions& options, double scale) {
     Mask ridges = rasterise(s.voronoi, s.residuals, sites, s.mask, threshold);
-    const LabelMap parts = labels_on(s.mask, labels);
     if (options.recover_parts_share > 0)
         ridges = anchor_missing_parts(ridges, s.mask, parts, options.recover_parts_share);
     s.voronoi_raster = restore_topology(ridges, s.mask);
@@ -71,6 +62,24 @@ Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions
     s.raw = extract_graph(s.skeleton, parts);
     s.after_h1 = apply_h1(s.raw);
     s.graph = apply_h2(s.after_h1, options.merge_distance * scale);
+}
+
+} // namespace
+
+Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions& options) {
+    const double scale = std::max(labels.width(), labels.height()) / reference_side;
+    double threshold = options.residual_threshold * scale;
+
+    Skeletonization s;
+    s.mask = silhouette(labels, options.fill_holes_share);
+    if (area(s.mask) == 0) throw CharacterRejected("skeletonize", "the silhouette is empty");
+    s.contour = follow_borders(s.mask);
+    const BorderSites sites = border_sites(s.contour, s.mask.width(), s.mask.height());
+    find_voronoi(s, sites, options.residual);
+    const LabelMap parts = labels_on(s.mask, labels);
+    find_graph(s, sites, parts, threshold, options, scale);
+    for (; options.lower_threshold && s.graph.edges.empty() && threshold / 2 > lowest_threshold * scale; threshold /= 2)
+        find_graph(s, sites, parts, threshold / 2, options, scale);
     if (s.graph.edges.empty()) throw CharacterRejected("skeletonize", "the skeleton is a single point");
     return s;
 }

@@ -250,3 +250,20 @@ TEST_CASE("only the largest component of the silhouette counts") {
         for (int x = 2; x < 40; ++x) labels(x, y) = 4;
     CHECK(skeletonize(labels).graph == expected);
 }
+
+TEST_CASE("a round shape with a small head gets a lower threshold instead of a single point") {
+    LabelMap duck(200, 200);
+    for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 200; ++x) {
+            if (std::hypot(x - 100, y - 110) < 70) duck(x, y) = static_cast<std::uint8_t>(Label::body);
+            if (std::hypot(x - 100, y - 42) < 12) duck(x, y) = static_cast<std::uint8_t>(Label::head);
+        }
+    SkeletonizationOptions options;
+    options.recover_parts_share = 0;
+    const Skeletonization found = skeletonize(duck, options);
+    REQUIRE(found.graph.edges.size() == 1);
+    CHECK(std::any_of(found.graph.vertices.begin(), found.graph.vertices.end(),
+                      [](const SkeletonVertex& v) { return v.end && v.label == Label::head; }));
+    options.lower_threshold = false;
+    CHECK_THROWS_AS(skeletonize(duck, options), CharacterRejected);
+}
