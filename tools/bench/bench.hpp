@@ -31,5 +31,6 @@ void bench_steps(const std::string& page, int rounds);
 void bench_kernel(int rounds);
 void bench_segmenter(int rounds);
 void bench_graph_distance(int rounds);
+void bench_straight_skeleton(int rounds);
 
 } // namespace pantin::bench

@@ -65,6 +65,7 @@ int main(int argc, char** argv) {
         pantin::bench::bench_kernel(rounds);
         pantin::bench::bench_segmenter(rounds);
         pantin::bench::bench_graph_distance(rounds);
+        pantin::bench::bench_straight_skeleton(rounds);
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "bench: %s\n", error.what());
