@@ -1,0 +1,95 @@
+// Ma et al. 2021, section 3.1, "Simple polygon acquisition".
+#include <algorithm>
+#include <cmath>
+
+#include "pantin/error.hpp"
+#include "pantin/geometry.hpp"
+#include "pantin/modeling.hpp"
+
+namespace pantin {
+namespace {
+
+constexpr double no_area = 1e-9; // of the diagonal squared
+
+[[noreturn]] void fail(const char* what) { throw Error(ErrorKind::input, std::string("stroke: ") + what); }
+
+double diagonal_of(const std::vector<Point2d>& points) {
+    Point2d low = points.front(), high = low;
+    for (const Point2d& p : points) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    return distance(low, high);
+}
+
+double area_of(const std::vector<Point2d>& loop) {
+    double twice = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) twice += cross(loop[i], loop[(i + 1) % loop.size()]);
+    return twice / 2;
+}
+
+// Share of the way from a to b at which c–d crosses it, ends of both included; −1: it does not.
+double crossing(Point2d a, Point2d b, Point2d c, Point2d d) {
+    const Point2d u = b - a, v = d - c;
+    const double sine = cross(u, v);
+    if (sine == 0) return -1;
+    const double s = cross(c - a, v) / sine, t = cross(c - a, u) / sine;
+    return s >= 0 && s <= 1 && t >= 0 && t <= 1 ? s : -1;
+}
+
+// Cuts the first crossing of two edges; of the two loops the larger stays. False when there is none.
+bool cut_crossing(std::vector<Point2d>& loop) {
+    const std::size_t n = loop.size();
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = i + 2; k < n; ++k) {
+            if (i == 0 && k == n - 1) continue;
+            const double s = crossing(loop[i], loop[i + 1], loop[k], loop[(k + 1) % n]);
+            if (s < 0) continue;
+            const Point2d at = loop[i] + s * (loop[i + 1] - loop[i]);
+            std::vector<Point2d> inner = {at}, outer = {at};
+            for (std::size_t j = i + 1; j <= k; ++j) inner.push_back(loop[j]);
+            for (std::size_t j = k + 1; j < n + i + 1; ++j) outer.push_back(loop[j % n]);
+            loop = std::abs(area_of(inner)) > std::abs(area_of(outer)) ? std::move(inner) : std::move(outer);
+            return true;
+        }
+    return false;
+}
+
+// Douglas–Peucker on a closed line: from the first point to the one farthest from it, and back.
+std::vector<Point2d> simplified(const std::vector<Point2d>& loop, double tolerance) {
+    std::size_t far = 0;
+    for (std::size_t i = 1; i < loop.size(); ++i)
+        if (distance(loop[i], loop[0]) > distance(loop[far], loop[0])) far = i;
+    std::vector<Point2d> there(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(far) + 1);
+    std::vector<Point2d> back(loop.begin() + static_cast<std::ptrdiff_t>(far), loop.end());
+    back.push_back(loop.front());
+    std::vector<Point2d> result;
+    for (const std::vector<Point2d>& half : {there, back}) {
+        const std::vector<int> kept = douglas_peucker(half, tolerance);
+        for (std::size_t i = 0; i + 1 < kept.size(); ++i) result.push_back(half[kept[i]]);
+    }
+    return result;
+}
+
+} // namespace
+
+SimplePolygon simple_polygon(const std::vector<Point2d>& stroke, const SimplePolygonOptions& options) {
+    for (const Point2d& p : stroke)
+        if (!std::isfinite(p.x) || !std::isfinite(p.y)) fail("a coordinate is not a number");
+    if (stroke.size() < 3) fail("has fewer than three points");
+    const double diagonal = diagonal_of(stroke);
+    std::vector<Point2d> closed = stroke;
+    if (!(closed.back() == closed.front())) closed.push_back(closed.front());
+    std::vector<Point2d> loop = resample(closed, options.samples + 1);
+    loop.pop_back();
+    loop = simplified(loop, options.tolerance * diagonal);
+    SimplePolygon polygon;
+    while (loop.size() > 3 && cut_crossing(loop)) ++polygon.cut;
+    const double area = loop.size() < 3 ? 0 : area_of(loop);
+    if (std::abs(area) <= no_area * diagonal * diagonal) fail("has no area");
+    if (area < 0) std::reverse(loop.begin(), loop.end());
+    polygon.corners = std::move(loop);
+    return polygon;
+}
+
+} // namespace pantin
