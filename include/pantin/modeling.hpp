@@ -1,6 +1,6 @@
 // From strokes to skeletons and models (Ma et al., RealSkel: real-time skeletonization of user-sketched parts, 2021).
 // Coordinates of strokes: any unit, x to the right, y up or down. Lengths that the paper gives in pixels of its canvas are shares of the
-// stroke's diagonal, the diagonal of its bounding box, so that results do not depend on resolution (docs/accuracy.md has figures).
+// stroke's diagonal, the diagonal of its bounding box, so that results do not depend on resolution (docs/errata.md).
 #pragma once
 
 #include <utility>
@@ -57,5 +57,16 @@ struct SubSkeleton {
 // Straight skeleton, without its peripheral arcs (those that begin at the outline), short edges collapsed; every branch is smoothed by a
 // spline, sliced evenly and simplified by BoundedDP, so that its bones stay inside the shape.
 SubSkeleton sub_skeleton(const std::vector<Point2d>& stroke, const SubSkeletonOptions& options = {});
+
+// --- refinement (3.3) --------------------------------------------------------------------------------------
+
+// Thresholds, shares of the diagonal. A larger one never gives more joints; 0 does nothing.
+struct RefinementOptions {
+    double prune = 0.046;    // a branch that ends and is shorter goes
+    double merge = 0.046;    // junctions so close along one branch become one
+    double collapse = 0.015; // a shorter bone between two inner joints becomes a joint
+};
+// Prunes, merges and collapses, in this order. Of joints that become one the widest gives the place, the first one on a tie.
+SubSkeleton refine(const SubSkeleton& skeleton, const RefinementOptions& options = {});
 
 } // namespace pantin

@@ -215,21 +215,27 @@ private:
         queue_.push({now_, 0, from, to, forward ? after : before});
     }
 
-    // The next lines that a reflex corner reaches.
+    // The next lines that a reflex corner reaches: a heap of the earliest ones, the latest of them on top.
     void search(Corner& corner) const {
         std::vector<Corner::Candidate> found;
         const Corner::Candidate last{corner.searched, corner.searched_edge};
+        double latest = never;
         for (int e = 0; e < static_cast<int>(lines_.size()); ++e) {
             const Line& line = lines_[e];
             const double height = dot(line.normal, corner.origin) - line.offset - corner.time;
             const double closing = 1 - dot(line.normal, corner.velocity);
-            if (e == corner.left || e == corner.right || closing <= parallel || height < -small_) continue;
+            if (closing <= parallel || height < -small_ || height > (latest - corner.time) * closing) continue;
+            if (e == corner.left || e == corner.right) continue;
             const Corner::Candidate candidate{corner.time + std::max(0.0, height) / closing, e};
-            if (last < candidate) found.push_back(candidate);
+            if (!(last < candidate)) continue;
+            found.push_back(candidate);
+            std::push_heap(found.begin(), found.end());
+            if (found.size() <= batch) continue;
+            std::pop_heap(found.begin(), found.end());
+            found.pop_back();
+            latest = found.front().time;
         }
-        const std::size_t count = std::min(batch, found.size());
-        std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), found.end());
-        found.resize(count);
+        std::sort_heap(found.begin(), found.end());
         std::reverse(found.begin(), found.end());
         corner.candidates = std::move(found);
     }

@@ -4,6 +4,7 @@
 
 #include "pantin/error.hpp"
 #include "pantin/geometry.hpp"
+#include "modeling/extent.hpp"
 #include "pantin/modeling.hpp"
 
 namespace pantin {
@@ -12,15 +13,6 @@ namespace {
 constexpr double no_area = 1e-9; // of the diagonal squared
 
 [[noreturn]] void fail(const char* what) { throw Error(ErrorKind::input, std::string("stroke: ") + what); }
-
-double diagonal_of(const std::vector<Point2d>& points) {
-    Point2d low = points.front(), high = low;
-    for (const Point2d& p : points) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    return distance(low, high);
-}
 
 double area_of(const std::vector<Point2d>& loop) {
     double twice = 0;

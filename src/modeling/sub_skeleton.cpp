@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "pantin/geometry.hpp"
+#include "modeling/extent.hpp"
 #include "pantin/modeling.hpp"
 #include "pantin/straight_skeleton.hpp"
 
@@ -180,15 +181,6 @@ std::vector<int> simplified(const Cylinder& cylinder, const std::vector<Point2d>
         if (!leaves(outline, line)) return fewer;
     }
     return kept;
-}
-
-double diagonal_of(const std::vector<Point2d>& points) {
-    Point2d low = points.front(), high = low;
-    for (const Point2d& p : points) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    return distance(low, high);
 }
 
 } // namespace

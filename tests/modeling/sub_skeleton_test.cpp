@@ -192,6 +192,33 @@ TEST_CASE("sub-skeletons are trees inside their shapes, one limb to a lobe, at e
     }
 }
 
+TEST_CASE("refinement keeps a tree inside the shape, and larger thresholds never give more joints") {
+    Random random(44);
+    int fewer = 0;
+    for (int round = 0; round < 40; ++round) {
+        const SubSkeleton whole = sub_skeleton(blob(random, 3 + round % 5, 0.45));
+        const SubSkeleton same = refine(whole, {0, 0, 0});
+        CHECK(same.joints.size() == whole.joints.size());
+        CHECK(same.bones == whole.bones);
+        for (int which = 0; which < 3; ++which) {
+            std::size_t fewest = whole.joints.size();
+            for (const double threshold : {0.005, 0.01, 0.02, 0.04, 0.08, 0.16, 0.3, 0.6}) {
+                RefinementOptions options{0, 0, 0};
+                (which == 0 ? options.prune : which == 1 ? options.merge : options.collapse) = threshold;
+                const SubSkeleton refined = refine(whole, options);
+                CAPTURE(round, which, threshold);
+                CHECK(refined.joints.size() <= fewest);
+                CHECK(refined.bones.size() + 1 == refined.joints.size());
+                CHECK(roots(refined) == 1);
+                for (const auto& joint : refined.joints) CHECK(inside(whole.outline.corners, joint.place));
+                fewest = std::min(fewest, refined.joints.size());
+            }
+        }
+        fewer += refine(whole).joints.size() < whole.joints.size();
+    }
+    CHECK(fewer > 20);
+}
+
 TEST_CASE("bad strokes are refused in a line") {
     CHECK(failure({{0, 0}, {1, 1}}) == "stroke: has fewer than three points");
     CHECK(failure({{0, 0}, {1, 1}, {2, 2}, {3, 3}}) == "stroke: has no area");

@@ -1,0 +1,116 @@
+// Ma et al. 2021, section 3.3, on one sub-skeleton.
+#include <algorithm>
+#include <numeric>
+
+#include "modeling/extent.hpp"
+#include "pantin/modeling.hpp"
+
+namespace pantin {
+namespace {
+
+struct Branch {
+    std::vector<int> joints; // from an end or a junction to the next one
+    double length = 0;
+};
+
+class Refiner {
+public:
+    explicit Refiner(const SubSkeleton& skeleton)
+        : skeleton_(skeleton), neighbours_(skeleton.joints.size()), gone_(skeleton.joints.size()), group_(skeleton.joints.size()) {
+        std::iota(group_.begin(), group_.end(), 0);
+        for (const auto& [a, b] : skeleton.bones) {
+            neighbours_[a].push_back(b);
+            neighbours_[b].push_back(a);
+        }
+    }
+
+    // All branches that end are judged at once, by the skeleton as it was, so a star of short ones
+    // becomes its junction.
+    void prune(double limit) {
+        for (const Branch& branch : branches()) {
+            const bool ends = is_end(branch.joints.front()) != is_end(branch.joints.back());
+            if (!ends || branch.length >= limit) continue;
+            const int junction = is_end(branch.joints.front()) ? branch.joints.back() : branch.joints.front();
+            for (const int j : branch.joints) gone_[j] = gone_[j] || j != junction;
+        }
+        for (auto& list : neighbours_) std::erase_if(list, [this](int n) { return gone_[n] != 0; });
+    }
+
+    void merge_junctions(double limit) {
+        for (const Branch& branch : branches())
+            if (is_junction(branch.joints.front()) && is_junction(branch.joints.back()) && branch.length < limit)
+                for (const int j : branch.joints) join(j, branch.joints.front());
+    }
+
+    void collapse(double limit) {
+        for (const auto& [a, b] : skeleton_.bones) {
+            if (gone_[a] || gone_[b] || is_end(a) || is_end(b)) continue;
+            if (distance(skeleton_.joints[a].place, skeleton_.joints[b].place) < limit) join(a, b);
+        }
+    }
+
+    SubSkeleton result() {
+        SubSkeleton refined;
+        refined.outline = skeleton_.outline;
+        std::vector<int> place(skeleton_.joints.size(), -1);
+        for (int j = 0; j < std::ssize(place); ++j) {
+            if (gone_[j]) continue;
+            const int g = root(j);
+            if (place[g] < 0) {
+                place[g] = static_cast<int>(refined.joints.size());
+                refined.joints.push_back(skeleton_.joints[j]);
+            } else if (skeleton_.joints[j].radius > refined.joints[place[g]].radius) {
+                refined.joints[place[g]] = skeleton_.joints[j];
+            }
+        }
+        for (const auto& [a, b] : skeleton_.bones)
+            if (!gone_[a] && !gone_[b] && root(a) != root(b)) refined.bones.emplace_back(place[root(a)], place[root(b)]);
+        return refined;
+    }
+
+private:
+    bool is_end(int j) const { return neighbours_[j].size() == 1; }
+    bool is_junction(int j) const { return neighbours_[j].size() > 2; }
+    int root(int j) const {
+        while (group_[j] != j) j = group_[j];
+        return j;
+    }
+    void join(int a, int b) { group_[std::max(root(a), root(b))] = std::min(root(a), root(b)); }
+
+    std::vector<Branch> branches() const {
+        std::vector<Branch> found;
+        for (int a = 0; a < std::ssize(neighbours_); ++a) {
+            if (gone_[a] || neighbours_[a].size() == 2) continue;
+            for (const int first : neighbours_[a]) {
+                Branch branch{{a, first}, 0};
+                while (neighbours_[branch.joints.back()].size() == 2) {
+                    const auto& n = neighbours_[branch.joints.back()];
+                    branch.joints.push_back(n[0] == branch.joints[branch.joints.size() - 2] ? n[1] : n[0]);
+                }
+                if (branch.joints.front() > branch.joints.back()) continue;
+                for (std::size_t i = 1; i < branch.joints.size(); ++i)
+                    branch.length += distance(skeleton_.joints[branch.joints[i - 1]].place, skeleton_.joints[branch.joints[i]].place);
+                found.push_back(std::move(branch));
+            }
+        }
+        return found;
+    }
+
+    const SubSkeleton& skeleton_;
+    std::vector<std::vector<int>> neighbours_;
+    std::vector<char> gone_;
+    std::vector<int> group_; // union-find; the smallest joint of a group is its root
+};
+
+} // namespace
+
+SubSkeleton refine(const SubSkeleton& skeleton, const RefinementOptions& options) {
+    const double diagonal = diagonal_of(skeleton.outline.corners);
+    Refiner refiner(skeleton);
+    refiner.prune(options.prune * diagonal);
+    refiner.merge_junctions(options.merge * diagonal);
+    refiner.collapse(options.collapse * diagonal);
+    return refiner.result();
+}
+
+} // namespace pantin
