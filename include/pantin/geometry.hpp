@@ -63,4 +63,18 @@ std::vector<Point2d> resample(const std::vector<Point2d>& line, int count);
 // segment.
 std::vector<int> douglas_peucker(const std::vector<Point2d>& line, double tolerance);
 
+// --- simple polygons (Ma et al. 2021, section 3.1) ---------------------------------------------------------
+
+struct SimplePolygonOptions {
+    int samples = 200;         // points on the stroke at equal arc length; 0: the stroke's own points
+    double tolerance = 0.0025; // of Douglas–Peucker, share of the diagonal
+};
+struct SimplePolygon {
+    std::vector<Point2d> corners; // interior on the left where y points up
+    int cut = 0;                  // crossings that were cut off, each with the smaller of its two loops
+};
+// Closes the stroke, samples it evenly, simplifies it, cuts crossings. Error(input) for a coordinate that is not a number and for a
+// stroke without area.
+SimplePolygon simple_polygon(const std::vector<Point2d>& stroke, const SimplePolygonOptions& options = {});
+
 } // namespace pantin

@@ -6,23 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "pantin/geometry.hpp"
 #include "pantin/point.hpp"
 
 namespace pantin {
-
-// --- simple polygon acquisition (3.1) ----------------------------------------------------------------------
-
-struct SimplePolygonOptions {
-    int samples = 200;         // points on the stroke at equal arc length
-    double tolerance = 0.0025; // of Douglas–Peucker, share of the diagonal
-};
-struct SimplePolygon {
-    std::vector<Point2d> corners; // interior on the left where y points up
-    int cut = 0;                  // crossings that were cut off, each with the smaller of its two loops
-};
-// Closes the stroke, samples it evenly, simplifies it, cuts crossings. Error(input) for a coordinate that is not a number and for a
-// stroke without area.
-SimplePolygon simple_polygon(const std::vector<Point2d>& stroke, const SimplePolygonOptions& options = {});
 
 // --- sub-skeleton (3.1) ------------------------------------------------------------------------------------
 

@@ -15,7 +15,15 @@ enum class Residual {
     chord, // minus the straight distance: Ogniewicz & Ilg's chord residual
 };
 
+// Where the ridges come from that Zhang and Suen's thinning makes one pixel wide.
+enum class SkeletonMethod {
+    voronoi,  // edges of the Voronoi diagram of the border's pixels with a large residual (thesis 4.4)
+    straight, // inner arcs of the straight skeleton of the simplified borders (Ma et al. 2021, 3.1)
+    thinning  // the whole silhouette
+};
+
 struct SkeletonizationOptions {
+    SkeletonMethod method = SkeletonMethod::voronoi;
     Residual residual = Residual::chord; // `thesis`: arc
     double residual_threshold = 30;      // at 321 px, scales with the longer side of the mask (thesis ch. 5)
     double merge_distance = 5;           // ε of H2 at 321 px, scales likewise (thesis 4.4)

@@ -70,6 +70,21 @@ void add_rig(CLI::App& app, Run& run) {
                      "mapping.json with the pairs of end-effectors to use instead of matching");
 }
 
+void add_skeletonize(CLI::App& app, Run& run) {
+    const auto method = std::make_shared<std::string>();
+    const auto skeletonize_by = [method](const std::filesystem::path& folder, Settings settings) {
+        SkeletonMethod& chosen = settings.options.skeletonization.method;
+        if (*method == "voronoi") chosen = SkeletonMethod::voronoi;
+        if (*method == "straight") chosen = SkeletonMethod::straight;
+        if (*method == "thinning") chosen = SkeletonMethod::thinning;
+        skeletonize_folder(folder, settings);
+    };
+    add_folder_command(app, run, "skeletonize", "step 3: part labels to the skeleton", std::make_shared<FolderArguments>(),
+                       skeletonize_by)
+        ->add_option("--skeleton", *method, "voronoi (default), straight (straight skeleton) or thinning (Zhang-Suen alone)")
+        ->check(CLI::IsMember({"voronoi", "straight", "thinning"}));
+}
+
 void add_identify(CLI::App& app, Run& run) {
     const auto reference = std::make_shared<std::string>();
     const auto identify_as = [reference](const std::filesystem::path& folder, Settings settings) {
@@ -97,7 +112,7 @@ void add_steps(CLI::App& app, Run& run) {
     };
     add_detect(app, run);
     add("segment", "step 2: the character to part labels", segment_folder);
-    add("skeletonize", "step 3: part labels to the skeleton", skeletonize_folder);
+    add_skeletonize(app, run);
     add_identify(app, run);
     add_rig(app, run);
     add_render(app, run);

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "modeling/extent.hpp"
+#include "geometry/extent.hpp"
 #include "pantin/modeling.hpp"
 
 namespace pantin {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "pantin/geometry.hpp"
-#include "modeling/extent.hpp"
+#include "geometry/extent.hpp"
 #include "pantin/modeling.hpp"
 #include "pantin/straight_skeleton.hpp"
 

@@ -74,6 +74,7 @@ template <class Visitor> void visit_segmentation(SegmentationOptions& o, Visitor
 }
 
 template <class Visitor> void visit_skeletonization(SkeletonizationOptions& o, Visitor& visit) {
+    visit("skeletonization.method", o.method, {"voronoi", "straight", "thinning"});
     visit("skeletonization.residual", o.residual, {"arc", "chord"});
     visit("skeletonization.residual_threshold", o.residual_threshold, 0, 10000);
     visit("skeletonization.merge_distance", o.merge_distance, 0, 10000);

@@ -5,6 +5,7 @@
 
 #include "pantin/image.hpp"
 #include "skeletonization/parts.hpp"
+#include "skeletonization/straight_ridges.hpp"
 #include "skeletonization/topology.hpp"
 #include "skeletonization/voronoi_skeleton.hpp"
 
@@ -50,7 +51,9 @@ void find_voronoi(Skeletonization& s, const BorderSites& sites, Residual residua
 // From the Voronoi edges above the threshold to the labelled graph.
 void find_graph(Skeletonization& s, const BorderSites& sites, const LabelMap& parts, double threshold,
                 const SkeletonizationOptions& options, double scale) {
-    Mask ridges = rasterise(s.voronoi, s.residuals, sites, s.mask, threshold);
+    Mask ridges = options.method == SkeletonMethod::voronoi    ? rasterise(s.voronoi, s.residuals, sites, s.mask, threshold)
+                  : options.method == SkeletonMethod::straight ? straight_ridges(s.contour, s.mask)
+                                                               : s.mask;
     if (options.recover_parts_share > 0)
         ridges = anchor_missing_parts(ridges, s.mask, parts, options.recover_parts_share);
     s.voronoi_raster = restore_topology(ridges, s.mask);
@@ -75,7 +78,7 @@ Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions
     if (area(s.mask) == 0) throw CharacterRejected("skeletonize", "the silhouette is empty");
     s.contour = follow_borders(s.mask);
     const BorderSites sites = border_sites(s.contour, s.mask.width(), s.mask.height());
-    find_voronoi(s, sites, options.residual);
+    if (options.method == SkeletonMethod::voronoi) find_voronoi(s, sites, options.residual);
     const LabelMap parts = labels_on(s.mask, labels);
     find_graph(s, sites, parts, threshold, options, scale);
     for (; options.lower_threshold && s.graph.edges.empty() && threshold / 2 > lowest_threshold * scale; threshold /= 2)

@@ -133,3 +133,18 @@ TEST_CASE("--blend is the same in one go and step by step", "[cli][blend]") {
     REQUIRE(run_pantin({"render", (out / "character-1").string(), "--blend", "--format", "bvh"}).code == 0);
     CHECK(read_all(out / "character-1") == before);
 }
+
+TEST_CASE("skeletonize --skeleton takes another kind of skeleton, and the next steps go on from it", "[cli][skeleton]") {
+    const TemporaryFolder folder;
+    const fs::path out = folder / "out", character = out / "character-1";
+    REQUIRE(run_pantin({"animate", small_page, "-o", out.string(), "--format", "bvh"}).code == 0);
+    const std::string voronoi = read(character / "skeleton.json");
+    for (const std::string method : {"straight", "thinning", "voronoi"}) {
+        CAPTURE(method);
+        REQUIRE(run_pantin({"skeletonize", character.string(), "--skeleton", method}).code == 0);
+        CHECK((read(character / "skeleton.json") == voronoi) == (method == "voronoi"));
+        CHECK(run_pantin({"identify", character.string()}).code == 0);
+        CHECK(run_pantin({"rig", character.string()}).code == 0);
+    }
+    CHECK(run_pantin({"skeletonize", character.string(), "--skeleton", "medial"}).code == 2);
+}

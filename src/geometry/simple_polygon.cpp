@@ -2,10 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/extent.hpp"
 #include "pantin/error.hpp"
 #include "pantin/geometry.hpp"
-#include "modeling/extent.hpp"
-#include "pantin/modeling.hpp"
 
 namespace pantin {
 namespace {
@@ -72,7 +71,7 @@ SimplePolygon simple_polygon(const std::vector<Point2d>& stroke, const SimplePol
     const double diagonal = diagonal_of(stroke);
     std::vector<Point2d> closed = stroke;
     if (!(closed.back() == closed.front())) closed.push_back(closed.front());
-    std::vector<Point2d> loop = resample(closed, options.samples + 1);
+    std::vector<Point2d> loop = options.samples > 0 ? resample(closed, options.samples + 1) : closed;
     loop.pop_back();
     loop = simplified(loop, options.tolerance * diagonal);
     SimplePolygon polygon;
