@@ -72,6 +72,9 @@ struct ReferenceSkeleton {
     std::vector<ReferenceClip> clips; // the first one is the default
 };
 
+// Has arms and legs: joints arm_left, arm_right, leg_left and leg_right. Recorded motions and VRM names are for these.
+bool is_humanoid(const ReferenceSkeleton& reference);
+
 ReferenceSkeleton parse_reference(std::span<const unsigned char> json, const std::string& source);
 // Error(input) names `source`, the place and the fact.
 // The compiled-in references (order: humanoid, quadruped, flying, bird, insect, fish, bust);

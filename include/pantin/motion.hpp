@@ -57,8 +57,6 @@ MotionJoints match_joints(const Motion& motion, const std::string& file);
 // Part of the body → name of the joint, for people to read.
 std::vector<std::pair<std::string, std::string>> match_table(const Motion& motion, const MotionJoints& joints);
 
-// True when the reference has arms and legs to drive ("arm_left", "leg_right", …).
-bool can_follow(const ReferenceSkeleton& reference);
 // Whether a bone that follows a joint of that name ("arm_left") belongs to the left of the picture, the performer's right.
 bool shown_left(const Bone& bone, const std::string& joint);
 

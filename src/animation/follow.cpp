@@ -261,13 +261,6 @@ double drawn_leg_length(const Rig& rig, const ReferenceSkeleton& reference) {
 
 } // namespace
 
-bool can_follow(const ReferenceSkeleton& reference) {
-    const auto has = [&](const char* name) {
-        return std::any_of(reference.joints.begin(), reference.joints.end(), [&](auto& j) { return j.name == name; });
-    };
-    return has("arm_left") && has("arm_right") && has("leg_left") && has("leg_right");
-}
-
 bool shown_left(const Bone& bone, const std::string& joint) { return joint.ends_with("left") != bone.mirrored; }
 
 BoneAnimation follow(const Rig& rig, const ReferenceSkeleton& reference, const Motion& motion, const MotionJoints& joints,

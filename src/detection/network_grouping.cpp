@@ -113,7 +113,7 @@ void give_unclaimed(Grid<int>& groups, const Components& pieces, const std::vect
         const Way& way = ways[static_cast<std::size_t>(piece) - 1];
         if (way.squared < 0) continue;
         const Box& box = boxes[static_cast<std::size_t>(way.group) - 1];
-        const double farthest = reach * std::hypot(box.width, box.height);
+        const double farthest = reach * length(Point2d{static_cast<double>(box.width), static_cast<double>(box.height)});
         if (static_cast<double>(way.squared) <= farthest * farthest) groups.data()[i] = way.group;
     }
 }

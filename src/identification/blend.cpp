@@ -3,16 +3,11 @@
 #include <cmath>
 #include <vector>
 
+#include "identification/named.hpp"
 #include "pantin/identification.hpp"
 
 namespace pantin {
 namespace {
-
-template <class T> int index_of(const std::vector<T>& list, const std::string& name) {
-    for (std::size_t i = 0; i < list.size(); ++i)
-        if (list[i].name == name) return static_cast<int>(i);
-    return -1;
-}
 
 bool is_end(const ReferenceSkeleton& skeleton, int node) {
     return std::count_if(skeleton.edges.begin(), skeleton.edges.end(),
@@ -26,7 +21,7 @@ std::vector<int> ends_with(const ReferenceSkeleton& skeleton, Label label) {
     return ends;
 }
 
-double distance_of(const ReferenceNode& a, const ReferenceNode& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double distance_of(const ReferenceNode& a, const ReferenceNode& b) { return distance({a.x, a.y}, {b.x, b.y}); }
 
 template <class T> std::string free_name(const std::vector<T>& list, std::string name) {
     while (index_of(list, name) >= 0) name += "_2";

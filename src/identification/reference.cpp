@@ -11,6 +11,7 @@
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
 #include "core/resources.hpp"
+#include "identification/named.hpp"
 #include "identification/traits.hpp"
 #include "pantin/error.hpp"
 #include "pantin/identification.hpp"
@@ -47,12 +48,6 @@ int read_integer(const JsonReader& reader, int low, int high) {
     return static_cast<int>(reader.integer(low, high));
 }
 
-// Index of the element of that name, −1 when there is none.
-template <class T> int index_of(const std::vector<T>& list, const std::string& name) {
-    for (std::size_t i = 0; i < list.size(); ++i)
-        if (list[i].name == name) return static_cast<int>(i);
-    return -1;
-}
 template <class T> int find_named(const JsonReader& reader, const std::vector<T>& list, const char* kind) {
     const int index = index_of(list, read_name(reader));
     if (index < 0) reader.fail("there is no " + std::string(kind) + " '" + read_name(reader) + "'");
@@ -195,6 +190,11 @@ std::vector<std::filesystem::path> reference_files(const std::filesystem::path& 
 }
 
 } // namespace
+
+bool is_humanoid(const ReferenceSkeleton& reference) {
+    const auto has = [&](const char* name) { return index_of(reference.joints, name) >= 0; };
+    return has("arm_left") && has("arm_right") && has("leg_left") && has("leg_right");
+}
 
 ReferenceSkeleton parse_reference(std::span<const unsigned char> bytes, const std::string& source) {
     const json document = parse_json(std::string(bytes.begin(), bytes.end()), source);

@@ -162,7 +162,7 @@ LabelMap labels_from_joints(const Mask& mask, const std::map<std::string, Point2
 
 bool write_animated_drawings(const fs::path& folder, const Rig& rig, const ReferenceSkeleton& reference,
                              const RgbaImage& texture) {
-    if (!can_follow(reference)) return false;
+    if (!is_humanoid(reference)) return false;
     std::optional<Joints> joints = joints_of(rig, reference);
     if (!joints) return false;
     const double scale = static_cast<double>(texture.width()) / rig.width;

@@ -10,7 +10,7 @@ std::vector<BoneAnimation> animations_of(const Rig& rig, const ReferenceSkeleton
     for (const ReferenceClip& clip : reference.clips)
         animations.push_back(retarget(rig, reference, clip, options.samples));
     const Workshop::NamedMotion* motion = workshop.motion();
-    if (!motion || !can_follow(reference)) return animations;
+    if (!motion || !is_humanoid(reference)) return animations;
     BoneAnimation followed =
         follow(rig, reference, motion->motion, motion->joints, options.motion_start, options.motion_seconds);
     const auto same = std::find_if(animations.begin(), animations.end(),

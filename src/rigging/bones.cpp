@@ -104,13 +104,6 @@ std::string humanoid_name(const std::string& joint, int segment, bool mirrored) 
     return side + part + (segment > 1 ? "." + std::to_string(segment - 1) : "");
 }
 
-bool is_humanoid(const ReferenceSkeleton& reference) {
-    const auto has = [&](const char* name) {
-        return std::any_of(reference.joints.begin(), reference.joints.end(), [&](auto& j) { return j.name == name; });
-    };
-    return has("arm_left") && has("arm_right") && has("leg_left") && has("leg_right");
-}
-
 class BoneMaker {
 public:
     BoneMaker(const Limbs& limbs, const ReferenceSkeleton& reference, bool mirrored, int limb_segments, Point2d head_centre)

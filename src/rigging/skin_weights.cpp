@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/extent.hpp"
 #include "rigging/mesh_topology.hpp"
 
 namespace pantin {
@@ -182,18 +183,9 @@ std::vector<FloodResult> flood_weights(const Mesh& mesh, const LabelMap& labels,
 
 namespace {
 
-double diagonal(const std::vector<Point2d>& points) {
-    Point2d low = points.front(), high = points.front();
-    for (const Point2d& p : points) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    return distance(low, high);
-}
-
 // Length of the first edge at the vertex, over the figure's diagonal.
 template <class Edges> double relative_bone(const std::vector<Point2d>& points, const Edges& edges, int end) {
-    const double size = diagonal(points);
+    const double size = diagonal_of(points);
     if (size == 0) return 0;
     for (const auto& [u, v] : edges)
         if (u == end || v == end) return distance(points[u], points[v]) / size;

@@ -132,5 +132,5 @@ TEST_CASE("A motion of one frame is a pose", "[motion]") {
 
 TEST_CASE("Only references with arms and legs can follow a human motion", "[motion]") {
     for (const ReferenceSkeleton& reference : load_references())
-        CHECK(can_follow(reference) == (reference.name == "humanoid"));
+        CHECK(is_humanoid(reference) == (reference.name == "humanoid"));
 }
