@@ -35,7 +35,7 @@ struct SubSkeletonOptions {
 struct SubSkeleton {
     struct Joint {
         Point2d place;
-        double radius = 0; // distance to the lines of the nearest edges of the polygon
+        double radius = 0; // distance to the outline
     };
     SimplePolygon outline;
     std::vector<Joint> joints;

@@ -92,7 +92,6 @@ struct PageCharacter {
 };
 struct Page {
     std::string source; // file name of the picture
-    bool blend = false;               // clips of the two best types are mixed
     int rotate = 0; // degrees by which the picture was first turned clockwise
     int width = 0, height = 0; // after that
     std::string detector = "contour";
@@ -103,8 +102,8 @@ Page read_page(const std::filesystem::path& file);
 // --- the steps ---------------------------------------------------------------------------------------------
 
 // The whole pipeline: `image`, a picture or an AnimatedDrawings character folder, to out/page.json and one folder a
-// character (and out/scene.* when that is wanted). A character that cannot go on keeps the files it has and says why in its status. Throws Error(not_animated) when none could be animated,
-// after page.json is written; Error(no_character) when there is none.
+// character (and out/scene.* when that is wanted). A character that cannot go on keeps the files it has and says why in its
+// status. Throws Error(not_animated) when none could be animated, after page.json is written; Error(no_character) when there is none.
 Page animate(const std::filesystem::path& image, const std::filesystem::path& out, const Settings& settings);
 
 // Step 1. Replaces the characters of a former run in `out`.

@@ -1,4 +1,4 @@
-// How large a stroke is.
+// How large polygons are.
 #pragma once
 
 #include <algorithm>
@@ -16,6 +16,13 @@ inline double diagonal_of(const std::vector<Point2d>& points) {
         high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
     return distance(low, high);
+}
+
+// Positive where the interior lies on the left, x to the right and y up.
+inline double area_of(const std::vector<Point2d>& loop) {
+    double twice = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) twice += cross(loop[i], loop[(i + 1) % loop.size()]);
+    return twice / 2;
 }
 
 } // namespace pantin

@@ -13,12 +13,6 @@ constexpr double no_area = 1e-9; // of the diagonal squared
 
 [[noreturn]] void fail(const char* what) { throw Error(ErrorKind::input, std::string("stroke: ") + what); }
 
-double area_of(const std::vector<Point2d>& loop) {
-    double twice = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) twice += cross(loop[i], loop[(i + 1) % loop.size()]);
-    return twice / 2;
-}
-
 // Share of the way from a to b at which c–d crosses it, ends of both included; −1: it does not.
 double crossing(Point2d a, Point2d b, Point2d c, Point2d d) {
     const Point2d u = b - a, v = d - c;

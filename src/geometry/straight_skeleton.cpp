@@ -10,6 +10,7 @@
 #include <queue>
 #include <tuple>
 
+#include "geometry/extent.hpp"
 #include "pantin/error.hpp"
 
 namespace pantin {
@@ -52,12 +53,6 @@ struct Event {
         return std::tie(time, kind, corner, other) > std::tie(e.time, e.kind, e.corner, e.other);
     }
 };
-
-double area_of(const std::vector<Point2d>& loop) {
-    double twice = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) twice += cross(loop[i], loop[(i + 1) % loop.size()]);
-    return twice / 2;
-}
 
 [[noreturn]] void fail(const std::string& what) { throw Error(ErrorKind::input, "straight skeleton: " + what); }
 
@@ -188,22 +183,17 @@ private:
             schedule_flat(u.flat ? c : u.next);
             return;
         }
+        const double gap = dot(place_at(v, now_) - place_at(u, now_), lines_[u.right].direction);
+        const double closing = dot(u.velocity - v.velocity, lines_[u.right].direction);
         if (!meeting(u.left, u.right, v.right, event.place, event.time)) {
-            const double gap = dot(place_at(v, now_) - place_at(u, now_), lines_[u.right].direction);
-            const double closing = dot(u.velocity - v.velocity, lines_[u.right].direction);
             if (closing <= parallel) return;
             event.time = now_ + gap / closing;
             event.place = place_at(u, event.time);
         }
         // Corners that drift apart met in the past.
-        const double closing = dot(u.velocity - v.velocity, lines_[u.right].direction);
-        if (event.time < now_ - small_ || (closing <= 0 && event.time < now_ + small_ && gap_of(c) > small_)) return;
+        if (event.time < now_ - small_ || (closing <= 0 && event.time < now_ + small_ && gap > small_)) return;
         event.time = std::max(event.time, now_);
         queue_.push(event);
-    }
-    double gap_of(int c) const {
-        const Corner &u = corners_[c], &v = corners_[u.next];
-        return dot(place_at(v, now_) - place_at(u, now_), lines_[u.right].direction);
     }
 
     // Two edges meet along their length: the end that is nearer goes first.
@@ -341,8 +331,8 @@ private:
         const int v = event.corner, edge = event.other;
         if (!corners_[v].alive) return;
         Point2d place;
-        double time = 0;
-        if (!meeting(corners_[v].left, corners_[v].right, edge, place, time)) place = place_at(corners_[v], event.time);
+        double ignored = 0;
+        if (!meeting(corners_[v].left, corners_[v].right, edge, place, ignored)) place = place_at(corners_[v], event.time);
         const int a = segment_at(edge, v, place);
         if (a < 0) {
             schedule_split(v);

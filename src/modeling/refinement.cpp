@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "geometry/extent.hpp"
+#include "modeling/chains.hpp"
 #include "pantin/modeling.hpp"
 
 namespace pantin {
@@ -33,7 +34,8 @@ public:
             const int junction = is_end(branch.joints.front()) ? branch.joints.back() : branch.joints.front();
             for (const int j : branch.joints) gone_[j] = gone_[j] || j != junction;
         }
-        for (auto& list : neighbours_) std::erase_if(list, [this](int n) { return gone_[n] != 0; });
+        for (int j = 0; j < std::ssize(neighbours_); ++j)
+            std::erase_if(neighbours_[j], [&](int n) { return gone_[j] || gone_[n]; });
     }
 
     void merge_junctions(double limit) {
@@ -79,19 +81,11 @@ private:
 
     std::vector<Branch> branches() const {
         std::vector<Branch> found;
-        for (int a = 0; a < std::ssize(neighbours_); ++a) {
-            if (gone_[a] || neighbours_[a].size() == 2) continue;
-            for (const int first : neighbours_[a]) {
-                Branch branch{{a, first}, 0};
-                while (neighbours_[branch.joints.back()].size() == 2) {
-                    const auto& n = neighbours_[branch.joints.back()];
-                    branch.joints.push_back(n[0] == branch.joints[branch.joints.size() - 2] ? n[1] : n[0]);
-                }
-                if (branch.joints.front() > branch.joints.back()) continue;
-                for (std::size_t i = 1; i < branch.joints.size(); ++i)
-                    branch.length += distance(skeleton_.joints[branch.joints[i - 1]].place, skeleton_.joints[branch.joints[i]].place);
-                found.push_back(std::move(branch));
-            }
+        for (std::vector<int>& chain : chains_of(neighbours_)) {
+            double length = 0;
+            for (std::size_t i = 1; i < chain.size(); ++i)
+                length += distance(skeleton_.joints[chain[i - 1]].place, skeleton_.joints[chain[i]].place);
+            found.push_back({std::move(chain), length});
         }
         return found;
     }

@@ -3,8 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "pantin/geometry.hpp"
 #include "geometry/extent.hpp"
+#include "modeling/chains.hpp"
+#include "pantin/geometry.hpp"
 #include "pantin/modeling.hpp"
 #include "pantin/straight_skeleton.hpp"
 
@@ -12,7 +13,7 @@ namespace pantin {
 namespace {
 
 constexpr int slices_a_diagonal = 100; // samples along a branch as long as the stroke's diagonal
-constexpr double widest_slice = 2; // of the distance to the border: beyond, a slice runs into another branch
+constexpr double widest_slice = 2;     // of the distance to the border: beyond, a slice runs into another branch
 constexpr int spline_steps = 8;        // points of the spline between two nodes, before it is sliced evenly
 
 // A tree of joints, some of which may be gone.
@@ -111,23 +112,6 @@ bool collapse_short_edges(Tree& tree, const std::vector<Point2d>& outline, doubl
     return any;
 }
 
-// Chains of joints between junctions and ends.
-std::vector<std::vector<int>> branches_of(const Tree& tree) {
-    std::vector<std::vector<int>> branches;
-    for (int a = 0; a < std::ssize(tree.joints); ++a) {
-        if (tree.neighbours[a].size() == 2 || tree.neighbours[a].empty()) continue;
-        for (const int first : tree.neighbours[a]) {
-            std::vector<int> chain = {a, first};
-            while (tree.neighbours[chain.back()].size() == 2) {
-                const std::vector<int>& n = tree.neighbours[chain.back()];
-                chain.push_back(n[0] == chain[chain.size() - 2] ? n[1] : n[0]);
-            }
-            if (chain.front() < chain.back()) branches.push_back(std::move(chain));
-        }
-    }
-    return branches;
-}
-
 // Catmull–Rom through the points, ends included.
 std::vector<Point2d> spline(const std::vector<Point2d>& points) {
     const auto at = [&](std::ptrdiff_t i) { return points[std::clamp<std::ptrdiff_t>(i, 0, std::ssize(points) - 1)]; };
@@ -200,7 +184,7 @@ SubSkeleton sub_skeleton(const std::vector<Point2d>& stroke, const SubSkeletonOp
         }
         return number[j];
     };
-    for (const std::vector<int>& branch : branches_of(tree)) {
+    for (const std::vector<int>& branch : chains_of(tree.neighbours)) {
         std::vector<Point2d> points;
         for (const int j : branch) points.push_back(tree.joints[j].place);
         const Cylinder cylinder = cylinder_of(outline, points, diagonal);

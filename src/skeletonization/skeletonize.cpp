@@ -78,10 +78,11 @@ Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions
     if (area(s.mask) == 0) throw CharacterRejected("skeletonize", "the silhouette is empty");
     s.contour = follow_borders(s.mask);
     const BorderSites sites = border_sites(s.contour, s.mask.width(), s.mask.height());
-    if (options.method == SkeletonMethod::voronoi) find_voronoi(s, sites, options.residual);
+    const bool voronoi = options.method == SkeletonMethod::voronoi;
+    if (voronoi) find_voronoi(s, sites, options.residual);
     const LabelMap parts = labels_on(s.mask, labels);
     find_graph(s, sites, parts, threshold, options, scale);
-    for (; options.lower_threshold && s.graph.edges.empty() && threshold / 2 > lowest_threshold * scale; threshold /= 2)
+    for (; voronoi && options.lower_threshold && s.graph.edges.empty() && threshold / 2 > lowest_threshold * scale; threshold /= 2)
         find_graph(s, sites, parts, threshold / 2, options, scale);
     if (s.graph.edges.empty()) throw CharacterRejected("skeletonize", "the skeleton is a single point");
     return s;
