@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/math.hpp"
+#include "identification/tracks.hpp"
 
 namespace pantin {
 namespace {
@@ -23,9 +24,11 @@ Point2d turned(Point2d v, double angle) {
     const double c = math::cos(angle), s = math::sin(angle);
     return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
+// Working pixels to heights of the crop, y up.
+Point2d upright(Point2d p, const Rig& rig) { return {p.x / rig.height, -p.y / rig.height}; }
 double bearing(Point2d v) { return math::atan2(v.y, v.x); }
 double half_turn(double angle) { return angle - 2 * math::pi * std::rint(angle / (2 * math::pi)); }
-double angle_from(Point2d a, Point2d b) { return math::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y); }
+double angle_from(Point2d a, Point2d b) { return math::atan2(cross(a, b), dot(a, b)); }
 double arc_cosine(double c) {
     c = std::clamp(c, -1.0, 1.0);
     return math::atan2(std::sqrt(1 - c * c), c);
@@ -82,14 +85,13 @@ Footing::Footing(const Rig& rig, const ReferenceClip& clip, const std::vector<do
     : rig_(rig) {
     for (std::size_t b = 1; b < rig.bones.size(); ++b)
         for (const ReferenceTrack& track : clip.tracks)
-            if ((track.axis == "step" || track.axis == "plant") && rig.bones[b].segment == 0 &&
-                rig.bones[b].reference_joint == track.joint)
+            if (on_ground(track) && rig.bones[b].segment == 0 && rig.bones[b].reference_joint == track.joint)
                 legs_.push_back(leg_at(rig, static_cast<int>(b), track, shift[b]));
     share_stride(clip.duration);
 }
 
 Footing::Leg Footing::leg_at(const Rig& rig, int bone, const ReferenceTrack& track, double shift) const {
-    const auto up = [&rig](Point2d p) { return Point2d{p.x / rig.height, -p.y / rig.height}; };
+    const auto up = [&rig](Point2d p) { return upright(p, rig); };
     Leg leg;
     leg.track = &track;
     leg.phase = track.phase + shift;
@@ -146,11 +148,10 @@ std::vector<Footing::Joint> Footing::joints_of(const std::vector<double>& turns,
     std::vector<Joint> joints;
     for (std::size_t b = 0; b < rig_.bones.size(); ++b) {
         const Bone& bone = rig_.bones[b];
-        const Point2d rest{bone.head.x / rig_.height, -bone.head.y / rig_.height};
+        const Point2d rest = upright(bone.head, rig_);
         Joint joint{rest + Point2d{root.x, root.y}, turns[b]};
         if (bone.parent >= 0) {
-            const Bone& parent = rig_.bones[bone.parent];
-            const Point2d from{parent.head.x / rig_.height, -parent.head.y / rig_.height};
+            const Point2d from = upright(rig_.bones[bone.parent].head, rig_);
             const Joint& moved = joints[bone.parent];
             joint = {moved.place + turned(rest - from, moved.turn), moved.turn + turns[b]};
         }

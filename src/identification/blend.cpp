@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "identification/named.hpp"
+#include "identification/tracks.hpp"
 #include "pantin/identification.hpp"
 
 namespace pantin {
@@ -44,8 +45,6 @@ int joint_at(const ReferenceSkeleton& skeleton, int node) {
         if (skeleton.joints[j].node == node) return j;
     return -1;
 }
-
-bool on_ground(const ReferenceTrack& track) { return track.axis == "step" || track.axis == "plant"; }
 
 constexpr Label moving_labels[] = {Label::head, Label::limb, Label::tail, Label::wing};
 

@@ -12,6 +12,7 @@
 #include "core/json_reader.hpp"
 #include "core/resources.hpp"
 #include "identification/named.hpp"
+#include "identification/tracks.hpp"
 #include "identification/traits.hpp"
 #include "pantin/error.hpp"
 #include "pantin/identification.hpp"
@@ -104,14 +105,14 @@ ReferenceTrack read_track(const JsonReader& reader, const ReferenceSkeleton& ske
                                                               "twist", "tx", "ty", "step", "plant"};
     if (std::find(axes.begin(), axes.end(), track.axis) == axes.end())
         reader.at("axis").fail("must be x, y, z, lift, flap, twist, tx, ty, step or plant");
-    const bool steps = track.axis == "step", on_ground = steps || track.axis == "plant";
+    const bool steps = track.axis == "step", grounded = on_ground(track);
     for (const char* key : {"lift", "duty"})
         if (reader.has(key) && !steps) reader.at(key).fail("belongs to the axis step");
-    if (reader.has("bend") && !on_ground) reader.at("bend").fail("belongs to the axes step and plant");
+    if (reader.has("bend") && !grounded) reader.at("bend").fail("belongs to the axes step and plant");
     for (const char* key : {"segment", "offset", "cycles"})
-        if (reader.has(key) && on_ground) reader.at(key).fail("does not belong to the axes step and plant");
+        if (reader.has(key) && grounded) reader.at(key).fail("does not belong to the axes step and plant");
     if (reader.has("segment")) track.segment = read_integer(reader.at("segment"), 0, 8);
-    if (steps || !on_ground) track.amplitude = steps ? reader.at("amplitude").number(0, 1) : reader.at("amplitude").number(-360, 360);
+    if (steps || !grounded) track.amplitude = reader.at("amplitude").number(steps ? 0 : -360, steps ? 1 : 360);
     if (reader.has("lift")) track.lift = reader.at("lift").number(0, 0.8);
     if (reader.has("duty")) track.duty = reader.at("duty").number(0.1, 0.95);
     if (reader.has("bend")) track.bend = read_integer(reader.at("bend"), -1, 1) < 0 ? -1 : 1;

@@ -81,8 +81,7 @@ double bend_of(const Limb& limb) {
     for (std::size_t i = 0; i < limb.path.size(); ++i) {
         const double s = limb.position[i] / limb.length();
         if (s < innermost_bend || s > 1 - innermost_bend) continue;
-        const Point2d v = limb.path[i] - from;
-        const double off = std::abs(chord.x * v.y - chord.y * v.x) / span;
+        const double off = std::abs(cross(chord, limb.path[i] - from)) / span;
         if (off > farthest) farthest = off, best = limb.position[i];
     }
     return best;
@@ -145,7 +144,7 @@ private:
         for (std::size_t j = 1; j < reference_.joints.size(); ++j) {
             const ReferenceJoint& joint = reference_.joints[j];
             if (reference_.nodes[joint.node].label != Label::body || joint.parent != 0) continue;
-            Point2d near = limbs_.root, far;
+            Point2d near, far;
             if (!attachment_of(static_cast<int>(j), far)) continue;
             if (!attachment_of(0, near)) near = limbs_.root;
             const double spine = distance(near, far);
@@ -163,8 +162,8 @@ private:
 
     std::string name_of(const Limb& limb, int segment, int count) const {
         const std::string base = base_name(reference_, limb.reference_end);
-        if (humanoid_ && limb.label == Label::limb && !humanoid_name(base, segment, mirrored_).empty())
-            return humanoid_name(base, segment, mirrored_);
+        const std::string human = humanoid_ && limb.label == Label::limb ? humanoid_name(base, segment, mirrored_) : "";
+        if (!human.empty()) return human;
         if (limb.label == Label::head) return count > 1 && segment == 0 ? "neck" : base;
         return segment == 0 ? base : base + "." + std::to_string(segment);
     }

@@ -31,8 +31,7 @@ void add_limb_weights(std::vector<double>& weights, const LimbBones& bones, doub
 void add_trunk_weights(std::vector<double>& weights, const std::vector<SpineBone>& spine, Point2d p) {
     double rest = 1;
     for (const SpineBone& s : spine) {
-        const Point2d v = p - s.pivot;
-        const double beyond = smoothstep((v.x * s.direction.x + v.y * s.direction.y) / (2 * s.blend) + 0.5);
+        const double beyond = smoothstep(dot(p - s.pivot, s.direction) / (2 * s.blend) + 0.5);
         weights[s.bone] += rest * beyond;
         rest -= rest * beyond;
     }

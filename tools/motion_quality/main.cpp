@@ -13,6 +13,7 @@
 
 #include "animation/footing.hpp"
 #include "animation/vector.hpp"
+#include "identification/tracks.hpp"
 #include "pipeline/clips.hpp"
 #include "pipeline/character.hpp"
 
@@ -59,14 +60,14 @@ Shape shape_of(const Rig& rig, const std::vector<Vec3>& rest) {
     return shape;
 }
 
-constexpr double on_ground = 0.01; // of the character's height
+constexpr double touching = 0.01; // of the character's height
 
 std::vector<int> feet_of(const Rig& rig, const ReferenceClip& clip) {
     std::vector<int> feet;
     for (std::size_t b = 1; b < rig.bones.size(); ++b) {
         const bool last = b + 1 == rig.bones.size() || rig.bones[b + 1].segment == 0;
         const bool steps = std::any_of(clip.tracks.begin(), clip.tracks.end(), [&](const ReferenceTrack& t) {
-            return (t.axis == "step" || t.axis == "plant") && t.joint == rig.bones[b].reference_joint;
+            return on_ground(t) && t.joint == rig.bones[b].reference_joint;
         });
         const int foot = last && steps ? foot_vertex(rig, static_cast<int>(b)) : -1;
         if (foot >= 0) feet.push_back(foot);
@@ -90,7 +91,7 @@ double slide_of(const Rig& rig, const BoneAnimation& animation, const std::vecto
         for (std::size_t f = 0; f < feet.size(); ++f) {
             const Vec3 place = p[feet[f]];
             const double way = place.x - animation.ground_speed * time;
-            const bool was_down = std::exchange(down[f], place.y - rest[feet[f]].y < on_ground * height);
+            const bool was_down = std::exchange(down[f], place.y - rest[feet[f]].y < touching * height);
             least[f] = was_down ? std::min(least[f], way) : way;
             most[f] = was_down ? std::max(most[f], way) : way;
             if (down[f]) slide = std::max(slide, (most[f] - least[f]) / height);
