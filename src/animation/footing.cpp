@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/math.hpp"
+#include "core/smoothstep.hpp"
 #include "identification/tracks.hpp"
 
 namespace pantin {
@@ -32,10 +33,6 @@ double angle_from(Point2d a, Point2d b) { return math::atan2(cross(a, b), dot(a,
 double arc_cosine(double c) {
     c = std::clamp(c, -1.0, 1.0);
     return math::atan2(std::sqrt(1 - c * c), c);
-}
-double smoothstep(double t) {
-    t = std::clamp(t, 0.0, 1.0);
-    return t * t * (3 - 2 * t);
 }
 
 double fraction(double x) { return x - std::floor(x); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/smoothstep.hpp"
 #include "geometry/extent.hpp"
 #include "rigging/mesh_topology.hpp"
 
@@ -10,11 +11,6 @@ namespace pantin {
 namespace {
 
 constexpr double short_edge = 0.4, shortest_edge = 0.05; // cells
-
-double smoothstep(double t) {
-    t = std::clamp(t, 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
 
 // Weights of a limb's bones at a position: one bone each, blended over half the limb's width on both sides of
 // a joint.

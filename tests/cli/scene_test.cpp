@@ -86,7 +86,7 @@ TEST_CASE("--scene shows the page with every character in its place, moving", "[
     for (const RgbImage& frame : frames) {
         REQUIRE(frame.width() == page.width());
         REQUIRE(frame.height() == page.height());
-        CHECK(difference(frame, page) < 8); // idle moves little
+        CHECK(difference(frame, page) < 6); // idle moves little
     }
     CHECK(difference(frames[0], frames[frames.size() / 4]) > 0.05);
     CHECK(frames[0](0, 0) == page(0, 0)); // the paper is the page's
