@@ -30,7 +30,7 @@ CPPFLAGS += -Iinclude -Isrc -Itools -isystem /usr/include/eigen3 -DPANTIN_VERSIO
             -DEIGEN_DONT_VECTORIZE -DEIGEN_DONT_PARALLELIZE -DEIGEN_MPL2_ONLY
 CXXFLAGS += -std=c++20 -Wall -Wextra -ffp-contract=off -ffile-prefix-map=$(CURDIR)=. -pthread
 LDFLAGS += -pthread
-LDLIBS :=
+LDLIBS := -lpugixml
 
 ifeq ($(config),release)
   CXXFLAGS += -O2

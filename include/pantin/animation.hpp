@@ -7,13 +7,11 @@
 #include <vector>
 
 #include "pantin/grid.hpp"
+#include "pantin/point.hpp"
 #include "pantin/rigging.hpp"
 
 namespace pantin {
 
-struct Vec3 {
-    double x = 0, y = 0, z = 0;
-};
 struct Quaternion {
     double x = 0, y = 0, z = 0, w = 1;
 };

@@ -3,6 +3,7 @@
 // stroke's diagonal, the diagonal of its bounding box, so that results do not depend on resolution (docs/errata.md).
 #pragma once
 
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -28,9 +29,10 @@ struct SubSkeletonOptions {
     double collapse = 0.5;         // of the mean edge: shorter edges of the straight skeleton are collapsed, …
     int collapse_rounds = 3;       // … so often
     double threshold = 0.0077;     // of BoundedDP at first, share of the diagonal; 5 pixels of the paper's canvas
-    double least_threshold = 0.0015;
+    double least_threshold = 0.0002; // below it all slices are kept; 1 pixel would be 0.0015
     double threshold_factor = 0.8; // by which it is lowered while a bone leaves the shape (Algorithm 2)
     double shape_weight = 0.25;    // α_s; the paper does not print it
+    std::map<int, double> branch_thresholds; // instead of `threshold`, by number of the branch; −1: of all others (3.3, branch level)
 };
 struct SubSkeleton {
     struct Joint {
@@ -40,10 +42,50 @@ struct SubSkeleton {
     SimplePolygon outline;
     std::vector<Joint> joints;
     std::vector<std::pair<int, int>> bones; // a tree
+    std::vector<std::vector<int>> branches; // their joints from an end or a junction to the next one; numbered by the outline alone
 };
 // Straight skeleton, without its peripheral arcs (those that begin at the outline), short edges collapsed; every branch is smoothed by a
 // spline, sliced evenly and simplified by BoundedDP, so that its bones stay inside the shape.
 SubSkeleton sub_skeleton(const std::vector<Point2d>& stroke, const SubSkeletonOptions& options = {});
+
+// --- skeletons in space --------------------------------------------------------------------------------------
+
+// Joints of one part or of a whole model, joined to trees.
+struct JointTree {
+    struct Joint {
+        Vec3 place;
+        double radius = 0; // of the ball inscribed there (3.2)
+        int part = 0;
+        bool operator==(const Joint&) const = default;
+    };
+    std::vector<Joint> joints;
+    std::vector<std::pair<int, int>> bones;
+    bool operator==(const JointTree&) const = default;
+};
+
+// --- connection (3.2) --------------------------------------------------------------------------------------
+
+// What connect() found for one part.
+struct Attachment {
+    int parent = -1;     // part; −1: a root
+    int joint = -1;      // of the part, in the connected tree: where it hangs
+    int parent_joint = -1; // that it hangs on, in the connected tree
+    bool split = false;  // bone-split event: that joint is new, on a bone of the parent; else joint-connect event
+};
+struct Connection {
+    JointTree tree;
+    std::vector<Attachment> attachments; // per part
+};
+// What is known of a part's parent before connect() looks for it.
+struct ParentWish {
+    int parent = -1; // this part, or its copy, whatever is met
+    int like = -1;   // the part is a copy of this one: it hangs on the same part, or on that part's copy
+};
+// Connects the parts' skeletons in modelling order. A part hangs on the earlier part in whose balls and cylinders one of its ends or
+// junctions lies, the nearest one by Eq. (1); else on one whose balls and cylinders meet its own; else it is a root. The joint and the
+// bone of the smallest distance (Eq. 1) are joined: on the bone (bone-split event) when the foot of the perpendicular lies inside it,
+// else at its nearer end (joint-connect event). wishes[i] is about part i and names earlier parts.
+Connection connect(const std::vector<JointTree>& parts, const std::vector<ParentWish>& wishes);
 
 // --- refinement (3.3) --------------------------------------------------------------------------------------
 
@@ -53,7 +95,9 @@ struct RefinementOptions {
     double merge = 0.046;    // junctions so close along one branch become one
     double collapse = 0.015; // a shorter bone between two inner joints becomes a joint
 };
-// Prunes, merges and collapses, in this order. Of joints that become one the widest gives the place, the first one on a tie.
+// Prunes, merges and collapses, in this order. limits[part]: absolute lengths; between joints of two parts the larger one holds. Of
+// joints that become one the widest gives the place, the first one on a tie.
+JointTree refine(const JointTree& tree, const std::vector<RefinementOptions>& limits);
 SubSkeleton refine(const SubSkeleton& skeleton, const RefinementOptions& options = {});
 
 } // namespace pantin

@@ -1,4 +1,4 @@
-// Points in pixel coordinates: x right, y down.
+// Points. In the plane: pixel coordinates, x right, y down.
 #pragma once
 
 #include <cmath>
@@ -24,6 +24,20 @@ inline double cross(Point2d a, Point2d b) { return a.x * b.y - a.y * b.x; }
 inline double length(Point2d a) { return std::sqrt(dot(a, a)); } // sqrt, not hypot: exact on every C library
 inline double distance(Point2d a, Point2d b) { return length(a - b); }
 inline Point2d to_double(Point2i p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+// 3D: right-handed, x to the right, y up, z towards the viewer.
+struct Vec3 {
+    double x = 0, y = 0, z = 0;
+    bool operator==(const Vec3&) const = default;
+};
+
+inline Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
+inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+inline double length(Vec3 a) { return std::sqrt(dot(a, a)); }
+inline double distance(Vec3 a, Vec3 b) { return length(a - b); }
 
 // An axis-aligned rectangle of pixels: columns x … x+width−1, rows y … y+height−1.
 struct Box {

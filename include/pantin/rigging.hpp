@@ -111,6 +111,7 @@ struct Bone {
     bool mirrored = false;    // rotations in the plane change sign
     double phase_shift = 0;   // in cycles: an unmatched limb follows its neighbour half a cycle later
     double freedom = 1;       // share of a clip's amplitude that suits the limb's shape, 0 … 1
+    double head_depth = 0, tail_depth = 0; // z at rest in world units; 0 in a drawing
 };
 struct VertexWeights {
     std::array<int, 4> bones{};      // unused: 0
@@ -130,6 +131,7 @@ struct Rig {
     std::vector<VertexWeights> weights; // per mesh vertex
     std::vector<Point2d> texture;       // per mesh vertex, [0, 1] inside the crop, v down
     std::vector<double> depth; // per mesh vertex, z at rest in world units: small offsets for the draw order
+    bool solid = false; // a closed surface in 3D (modeling), which is lit; else a flat drawing, which is not
 };
 // Throws CharacterRejected("rig", …) when no end-effector can be mapped.
 Rig rig(const SkeletonGraph& graph, const LabelMap& labels, const Identification& identification,

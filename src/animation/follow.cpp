@@ -20,8 +20,6 @@ constexpr double facing_seconds = 0.5;   // window over which the performer's fa
 constexpr double still = 1e-3;           // variance of a limb's way, of its squared length
 constexpr double least_projection = 0.2; // of a limb's length: shorter ones have no direction, the last one stays
 
-double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 double norm(Vec3 v) { return std::sqrt(dot(v, v)); }
 Vec3 unit(Vec3 v, Vec3 otherwise) { return norm(v) > 1e-12 ? (1 / norm(v)) * v : otherwise; }
 

@@ -7,10 +7,6 @@
 
 namespace pantin {
 
-inline Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
-
 // Rows of a rotation matrix.
 struct Matrix3 {
     Vec3 rows[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

@@ -23,7 +23,7 @@ namespace pantin {
 
 namespace {
 
-double diagonal_of(const Box& box) { return length({1.0 * box.width, 1.0 * box.height}); }
+double diagonal_of(const Box& box) { return length(Point2d{1.0 * box.width, 1.0 * box.height}); }
 
 Box united(const Box& a, const Box& b) {
     const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);

@@ -19,8 +19,6 @@ Vec3 rotate(Quaternion q, Vec3 v) {
     return {turned.x, turned.y, turned.z};
 }
 
-Vec3 minus(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-
 // The turn about z that takes +Y to the direction (x, y), by the half-angle formulas: no trigonometry.
 Quaternion from_up_to(double x, double y) {
     const double length = std::sqrt(x * x + y * y);
@@ -34,7 +32,7 @@ Joint place(std::string name, int parent, Vec3 head, Quaternion rest, const std:
     Joint joint{std::move(name), parent, head, rest, head, rest};
     if (parent >= 0) {
         const Joint& above = joints[static_cast<std::size_t>(parent)];
-        joint.translation = rotate(conjugate(above.rest), minus(head, above.head));
+        joint.translation = rotate(conjugate(above.rest), head - above.head);
         joint.rotation = multiply(conjugate(above.rest), rest);
     }
     return joint;
@@ -71,7 +69,7 @@ Quaternion node_rotation(const std::vector<Joint>& joints, std::size_t joint, Qu
 std::array<float, 16> inverse_bind_matrix(const Joint& joint) {
     const Quaternion back = conjugate(joint.rest);
     const Vec3 columns[4] = {rotate(back, {1, 0, 0}), rotate(back, {0, 1, 0}), rotate(back, {0, 0, 1}),
-                             rotate(back, minus({}, joint.head))};
+                             rotate(back, Vec3{} - joint.head)};
     std::array<float, 16> matrix{};
     for (std::size_t c = 0; c < 4; ++c) {
         matrix[4 * c] = static_cast<float>(columns[c].x);

@@ -22,7 +22,7 @@ std::vector<int> ends_with(const ReferenceSkeleton& skeleton, Label label) {
     return ends;
 }
 
-double distance_of(const ReferenceNode& a, const ReferenceNode& b) { return distance({a.x, a.y}, {b.x, b.y}); }
+double distance_of(const ReferenceNode& a, const ReferenceNode& b) { return distance(Point2d{a.x, a.y}, Point2d{b.x, b.y}); }
 
 template <class T> std::string free_name(const std::vector<T>& list, std::string name) {
     while (index_of(list, name) >= 0) name += "_2";

@@ -1,4 +1,4 @@
-// Ma et al. 2021, section 3.3, on one sub-skeleton.
+// Ma et al. 2021, section 3.3, on one sub-skeleton or on the connected skeleton of a model.
 #include <algorithm>
 #include <numeric>
 
@@ -16,8 +16,9 @@ struct Branch {
 
 class Refiner {
 public:
-    explicit Refiner(const SubSkeleton& skeleton)
-        : skeleton_(skeleton), neighbours_(skeleton.joints.size()), gone_(skeleton.joints.size()), group_(skeleton.joints.size()) {
+    Refiner(const JointTree& skeleton, const std::vector<RefinementOptions>& limits)
+        : skeleton_(skeleton), limits_(limits), neighbours_(skeleton.joints.size()), gone_(skeleton.joints.size()),
+          group_(skeleton.joints.size()) {
         std::iota(group_.begin(), group_.end(), 0);
         for (const auto& [a, b] : skeleton.bones) {
             neighbours_[a].push_back(b);
@@ -27,10 +28,11 @@ public:
 
     // All branches that end are judged at once, by the skeleton as it was, so a star of short ones
     // becomes its junction.
-    void prune(double limit) {
+    void prune() {
         for (const Branch& branch : branches()) {
             const bool ends = is_end(branch.joints.front()) != is_end(branch.joints.back());
-            if (!ends || branch.length >= limit) continue;
+            const int end = is_end(branch.joints.front()) ? branch.joints.front() : branch.joints.back();
+            if (!ends || branch.length >= limits_[skeleton_.joints[end].part].prune) continue;
             const int junction = is_end(branch.joints.front()) ? branch.joints.back() : branch.joints.front();
             for (const int j : branch.joints) gone_[j] = gone_[j] || j != junction;
         }
@@ -38,22 +40,23 @@ public:
             std::erase_if(neighbours_[j], [&](int n) { return gone_[j] || gone_[n]; });
     }
 
-    void merge_junctions(double limit) {
-        for (const Branch& branch : branches())
-            if (is_junction(branch.joints.front()) && is_junction(branch.joints.back()) && branch.length < limit)
-                for (const int j : branch.joints) join(j, branch.joints.front());
-    }
-
-    void collapse(double limit) {
-        for (const auto& [a, b] : skeleton_.bones) {
-            if (gone_[a] || gone_[b] || is_end(a) || is_end(b)) continue;
-            if (distance(skeleton_.joints[a].place, skeleton_.joints[b].place) < limit) join(a, b);
+    void merge_junctions() {
+        for (const Branch& branch : branches()) {
+            const int a = branch.joints.front(), b = branch.joints.back();
+            if (is_junction(a) && is_junction(b) && branch.length < limit(a, b, &RefinementOptions::merge))
+                for (const int j : branch.joints) join(j, a);
         }
     }
 
-    SubSkeleton result() {
-        SubSkeleton refined;
-        refined.outline = skeleton_.outline;
+    void collapse() {
+        for (const auto& [a, b] : skeleton_.bones) {
+            if (gone_[a] || gone_[b] || is_end(a) || is_end(b)) continue;
+            if (distance(skeleton_.joints[a].place, skeleton_.joints[b].place) < limit(a, b, &RefinementOptions::collapse)) join(a, b);
+        }
+    }
+
+    JointTree result() {
+        JointTree refined;
         std::vector<int> place(skeleton_.joints.size(), -1);
         for (int j = 0; j < std::ssize(place); ++j) {
             if (gone_[j]) continue;
@@ -77,6 +80,9 @@ private:
         while (group_[j] != j) j = group_[j];
         return j;
     }
+    double limit(int a, int b, double RefinementOptions::*operation) const {
+        return std::max(limits_[skeleton_.joints[a].part].*operation, limits_[skeleton_.joints[b].part].*operation);
+    }
     void join(int a, int b) { group_[std::max(root(a), root(b))] = std::min(root(a), root(b)); }
 
     std::vector<Branch> branches() const {
@@ -90,7 +96,8 @@ private:
         return found;
     }
 
-    const SubSkeleton& skeleton_;
+    const JointTree& skeleton_;
+    const std::vector<RefinementOptions>& limits_;
     std::vector<std::vector<int>> neighbours_;
     std::vector<char> gone_;
     std::vector<int> group_; // union-find; the smallest joint of a group is its root
@@ -98,13 +105,31 @@ private:
 
 } // namespace
 
+JointTree refine(const JointTree& tree, const std::vector<RefinementOptions>& limits) {
+    Refiner refiner(tree, limits);
+    refiner.prune();
+    refiner.merge_junctions();
+    refiner.collapse();
+    return refiner.result();
+}
+
 SubSkeleton refine(const SubSkeleton& skeleton, const RefinementOptions& options) {
     const double diagonal = diagonal_of(skeleton.outline.corners);
-    Refiner refiner(skeleton);
-    refiner.prune(options.prune * diagonal);
-    refiner.merge_junctions(options.merge * diagonal);
-    refiner.collapse(options.collapse * diagonal);
-    return refiner.result();
+    JointTree tree;
+    for (const SubSkeleton::Joint& joint : skeleton.joints) tree.joints.push_back({{joint.place.x, joint.place.y, 0}, joint.radius, 0});
+    tree.bones = skeleton.bones;
+    const JointTree refined = refine(tree, {{options.prune * diagonal, options.merge * diagonal, options.collapse * diagonal}});
+    SubSkeleton result;
+    result.outline = skeleton.outline;
+    for (const JointTree::Joint& joint : refined.joints) result.joints.push_back({{joint.place.x, joint.place.y}, joint.radius});
+    result.bones = refined.bones;
+    std::vector<std::vector<int>> neighbours(result.joints.size());
+    for (const auto& [a, b] : result.bones) {
+        neighbours[a].push_back(b);
+        neighbours[b].push_back(a);
+    }
+    result.branches = chains_of(neighbours);
+    return result;
 }
 
 } // namespace pantin

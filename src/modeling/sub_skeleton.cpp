@@ -153,12 +153,32 @@ Cylinder cylinder_of(const std::vector<Point2d>& outline, const std::vector<Poin
     return cylinder;
 }
 
+// The thresholds that are tried are those of one ladder, options.threshold times powers of the factor, whatever threshold is asked
+// for: so that a larger one never keeps more joints.
+double first_threshold(double wanted, const SubSkeletonOptions& options) {
+    double threshold = options.threshold;
+    while (wanted > 0 && threshold > wanted) threshold *= options.threshold_factor;
+    double above = threshold / options.threshold_factor;
+    for (int step = 1; above <= wanted && above < 10; ++step) {
+        threshold = above;
+        above = options.threshold;
+        for (int k = 0; k <= step; ++k) above /= options.threshold_factor;
+    }
+    return threshold;
+}
+
+double threshold_of(int branch, const SubSkeletonOptions& options) {
+    for (const int key : {branch, -1})
+        if (const auto own = options.branch_thresholds.find(key); own != options.branch_thresholds.end()) return own->second;
+    return options.threshold;
+}
+
 // Algorithm 2: the threshold is lowered while a bone leaves the shape.
-std::vector<int> simplified(const Cylinder& cylinder, const std::vector<Point2d>& outline, double diagonal,
+std::vector<int> simplified(const Cylinder& cylinder, const std::vector<Point2d>& outline, double diagonal, double wanted,
                             const SubSkeletonOptions& options) {
     std::vector<int> kept(cylinder.axis.size());
     for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = static_cast<int>(i); // inside, whatever comes
-    for (double threshold = options.threshold; threshold > options.least_threshold; threshold *= options.threshold_factor) {
+    for (double threshold = first_threshold(wanted, options); threshold > options.least_threshold; threshold *= options.threshold_factor) {
         const std::vector<int> fewer = bounded_dp(cylinder, threshold * diagonal, options.shape_weight);
         std::vector<Point2d> line;
         for (const int i : fewer) line.push_back(cylinder.axis[i]);
@@ -188,15 +208,19 @@ SubSkeleton sub_skeleton(const std::vector<Point2d>& stroke, const SubSkeletonOp
         std::vector<Point2d> points;
         for (const int j : branch) points.push_back(tree.joints[j].place);
         const Cylinder cylinder = cylinder_of(outline, points, diagonal);
-        const std::vector<int> kept = simplified(cylinder, outline, diagonal, options);
+        const double threshold = threshold_of(static_cast<int>(result.branches.size()), options);
+        const std::vector<int> kept = simplified(cylinder, outline, diagonal, threshold, options);
         int before = joint(branch.front());
+        result.branches.push_back({before});
         for (std::size_t i = 1; i + 1 < kept.size(); ++i) {
             const Point2d place = cylinder.axis[kept[i]];
             result.joints.push_back({place, radius_at(outline, place)});
             result.bones.emplace_back(before, static_cast<int>(result.joints.size()) - 1);
             before = static_cast<int>(result.joints.size()) - 1;
+            result.branches.back().push_back(before);
         }
         result.bones.emplace_back(before, joint(branch.back()));
+        result.branches.back().push_back(result.bones.back().second);
     }
     if (result.joints.empty() && !tree.joints.empty()) { // a triangle, a disc: one joint
         const auto widest = std::max_element(tree.joints.begin(), tree.joints.end(),

@@ -1,0 +1,151 @@
+// Strokes to a rigged model in space (Ma et al., RealSkel, 2021): parts that are inflated, connected, refined and united.
+// The model's frame and the strokes' canvas: strokes.hpp. Lengths are canvas units.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pantin/modeling.hpp"
+#include "pantin/rigging.hpp"
+#include "pantin/strokes.hpp"
+#include "pantin/triangulation.hpp"
+
+namespace pantin {
+
+// --- inflation (4.1) ---------------------------------------------------------------------------------------
+
+// The squared half thickness over the inside of an outline, for height 1: the solution of Poisson's equation −Δh = 2 with h = 0 on
+// the outline, on linear triangles. So a long strip is round, and a disc of radius r is r/√2 thick on each side.
+struct Inflation {
+    std::vector<Point2d> points; // canvas
+    std::vector<std::array<int, 3>> triangles; // positively oriented (interior on the left where y points down as on the canvas)
+    std::vector<double> squared; // per point; 0 on the outline, positive inside
+    std::vector<char> border;    // per point
+    double half_width = 0;       // area by perimeter: half the width of a long part
+};
+struct InflationOptions {
+    SimplePolygonOptions polygon{300, 0.0006}; // finer than for the skeleton: one sees it
+    double longest_edge = 0.04;                // share of the diagonal; thin parts get shorter ones
+    double shortest_edge = 0.002;
+};
+// Error(input) as simple_polygon().
+Inflation inflate(const std::vector<Point2d>& stroke, const InflationOptions& options = {});
+
+// --- surfaces ----------------------------------------------------------------------------------------------
+
+struct SolidMesh {
+    std::vector<Vec3> vertices;
+    std::vector<std::array<int, 3>> triangles; // counter-clockwise from outside
+};
+// Of the canvas into the model: a point (x, y) at depth d lies at origin + x · right + y · down + d · out. Right, down and out are
+// orthogonal and of one length; mirrored copies have the other handedness.
+struct Frame {
+    Vec3 origin, right{1, 0, 0}, down{0, -1, 0}, out{0, 0, 1};
+};
+Vec3 to_model(const Frame& frame, Point2d canvas, double depth = 0);
+// Front and back of the inflated part, joined along the outline: closed.
+SolidMesh part_surface(const Inflation& inflation, double height, const Frame& frame);
+
+struct InflatedPart {
+    const Inflation* inflation = nullptr;
+    double height = 1;
+    Frame frame;
+};
+struct UnionOptions {
+    double cell = 0;             // of the grid, canvas units; 0: from the model's size and its thinnest part
+    double cells_across = 44; // of the model's longest side, when the cell is not given; thin parts ask for up to twice as many
+};
+// The outer surface of all parts as one mesh: closed, oriented, without self-intersection. The zero set of the parts' distances on a
+// body-centred cubic grid, by marching tetrahedra (Doi & Koide 1991).
+SolidMesh unite(const std::vector<InflatedPart>& parts, const UnionOptions& options = {});
+// The same by exact arithmetic on the parts' own surfaces (CGAL's polygon mesh processing), to compare with. Error(usage) in a build
+// without it.
+SolidMesh unite_exactly(const std::vector<InflatedPart>& parts);
+bool exact_union_available();
+
+// --- the model ---------------------------------------------------------------------------------------------
+
+// A tree, or several when parts do not meet.
+struct ModelSkeleton {
+    struct Joint {
+        Vec3 place;
+        double radius = 0;
+        int part = 0;
+        int parent = -1; // comes before its children
+    };
+    std::vector<Joint> joints;
+};
+struct ModelPart {
+    PartStroke stroke;
+    bool mirrored = false; // the copy of a symmetric part; it comes right after it
+    Frame frame;           // its canvas, after all moves
+    SubSkeleton flat;      // on the canvas
+    int parent = -1;       // part that it hangs on
+    std::string name() const { return mirrored ? stroke.name + ".mirrored" : stroke.name; }
+};
+struct ModelOptions {
+    SubSkeletonOptions skeleton;
+    RefinementOptions refinement; // of every part, until refine() says otherwise; shares of the part's diagonal
+    InflationOptions inflation;
+    UnionOptions unite;
+};
+
+// The interactive heart of the paper: every call brings the skeleton up to date. What depends on one part alone is made once for it;
+// connection and refinement are made anew. Surfaces are made when they are asked for, and kept until their part's stroke changes.
+// Throws Error(input) and stays as it was when a call is invalid (a name that is taken or unknown, a stroke without area, …).
+class Model {
+public:
+    explicit Model(Point2d origin = {}, const ModelOptions& options = {});
+    Model(const Strokes& strokes, const ModelOptions& options = {});
+
+    void apply(const ModelCall& call);
+    void add_part(const PartStroke& part);
+    void remove_part(const std::string& name); // parts that named it as their parent look for another one
+    void move_part(const MovePart& move);
+    void set_symmetry(const std::string& name, Symmetry symmetry);
+    void refine(const RefineSkeleton& call);
+
+    const std::vector<ModelPart>& parts() const { return parts_; }
+    const Connection& connection() const { return connection_; } // as connected, before refinement
+    const ModelSkeleton& skeleton() const { return skeleton_; }
+    const std::vector<std::string>& repairs() const { return repairs_; } // of strokes that cross themselves
+
+    SolidMesh surface(int part); // of one part
+    std::vector<InflatedPart> inflated();
+    SolidMesh united();
+
+private:
+    struct Drawn;
+    Drawn& drawn(const std::string& name);
+    void check_new(const PartStroke& part) const;
+    void extract(Drawn& drawn) const;
+    void simplify(Drawn& drawn, int branch, double threshold) const;
+    void update();
+    const Inflation& inflation_of(int part);
+
+    Point2d origin_;
+    ModelOptions options_;
+    RefinementOptions global_;
+    std::vector<std::shared_ptr<Drawn>> drawn_; // in modelling order
+    std::vector<int> drawn_of_;                 // of each part
+    std::vector<ModelPart> parts_;
+    Connection connection_;
+    ModelSkeleton skeleton_;
+    std::vector<std::string> repairs_;
+};
+
+// --- skin weights ------------------------------------------------------------------------------------------
+
+// Bone heat (Baran & Popović 2007, section 4): heat flows over the surface from the bone that is nearest to each place, so weights are
+// smooth, not negative and sum to one. Chosen over bounded biharmonic weights because it needs one sparse factorisation of the surface
+// alone, no volume mesh. Edge weights are clamped cotangents, so that the maximum principle holds on every mesh.
+// bones: segments in the mesh's frame; weights[v][b] in [0, 1].
+struct BoneSegment {
+    Vec3 head, tail;
+    double radius = 0; // of the part around it; nearness counts from there
+};
+std::vector<VertexWeights> bone_heat(const SolidMesh& mesh, const std::vector<BoneSegment>& bones);
+
+} // namespace pantin

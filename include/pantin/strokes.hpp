@@ -1,0 +1,83 @@
+// What a model is made of (Ma et al., RealSkel, 2021): the outlines of its parts in modelling order, and calls that change it.
+//
+// Strokes are drawn on one canvas, x to the right, y down, in any unit. The canvas shows the model from one of three sides; `origin`
+// is the point of the canvas where the model's origin is seen, from each side. The model's own frame is right-handed: x to the
+// right, y up, z towards whoever looks from the front. A canvas point (u, v), measured from the origin, at depth d lies at
+//   front: ( u, −v,  d)   seen from +z;   side: ( d, −v, −u)   seen from +x;   top: ( u, d, v)   seen from +y.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "pantin/grid.hpp"
+#include "pantin/label.hpp"
+#include "pantin/point.hpp"
+
+namespace pantin {
+
+enum class Viewpoint { front, side, top };
+enum class Symmetry { none, x, y, z }; // normal of the plane through the model's origin in which a copy is mirrored
+
+struct PartStroke {
+    std::string name;             // not empty, of one part only
+    std::vector<Point2d> stroke;  // canvas; closed on its own; at least three points
+    double depth = 0;             // canvas units, towards the viewer
+    Viewpoint view = Viewpoint::front;
+    Symmetry symmetry = Symmetry::none;
+    std::string parent;           // a part that comes before; empty: found by intersection
+    double height = 1;            // thickness; a long part of height 1 is round
+    Label label = Label::background; // background: from the name
+    std::optional<Rgb8> colour;
+    bool operator==(const PartStroke&) const = default;
+};
+
+// --- calls -------------------------------------------------------------------------------------------------
+
+// In this order: scaled, then turned about the axis of the model's frame, both about the part's own centre, then moved.
+struct MovePart {
+    std::string part;
+    Vec3 translate;          // model's frame, canvas units
+    char axis = 'z';         // 'x', 'y' or 'z'
+    double degrees = 0;      // counter-clockwise seen from the axis' positive end
+    double scale = 1;        // > 0
+    bool operator==(const MovePart&) const = default;
+};
+struct SetSymmetry {
+    std::string part;
+    Symmetry symmetry = Symmetry::none;
+    bool operator==(const SetSymmetry&) const = default;
+};
+// Section 3.3. Without a part: the whole model; with a part and a branch ≥ 0: that branch alone, which knows `simplify` only. What is
+// not given stays. Shares of the part's diagonal (the diagonal of its stroke's bounding box).
+struct RefineSkeleton {
+    std::string part;
+    int branch = -1;
+    std::optional<double> simplify, prune, merge, collapse;
+    bool operator==(const RefineSkeleton&) const = default;
+};
+struct RemovePart {
+    std::string part;
+    bool operator==(const RemovePart&) const = default;
+};
+using ModelCall = std::variant<PartStroke, MovePart, SetSymmetry, RefineSkeleton, RemovePart>; // PartStroke: adds the part
+
+struct Strokes {
+    Point2d origin;
+    std::vector<ModelCall> calls;     // parts in modelling order, then what else was asked for
+    std::vector<std::string> repairs; // what was wrong and what was done about it, one line each
+};
+
+// JSON (docs/formats.md, "strokes.json"). Error(input) names `file`, the place and the fact.
+Strokes strokes_from_json(const std::string& text, const std::string& file);
+std::string strokes_to_json(const Strokes& strokes);
+// Every path, polygon, polyline, rect, circle and ellipse of an SVG is a part, in document order (docs/formats.md, "SVG strokes").
+// Error(input) names `file` and what is wrong.
+Strokes strokes_from_svg(const std::string& text, const std::string& file);
+
+// The label that a part's name asks for: "left_wing" wing, "ear" head, "body" body, "claw" limb.
+Label label_of_part(const std::string& name);
+
+} // namespace pantin

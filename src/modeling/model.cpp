@@ -1,0 +1,210 @@
+// The model as it is edited: which strokes there are, where they lie, and what follows from them.
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/extent.hpp"
+#include "modeling/frames.hpp"
+#include "modeling/rooted.hpp"
+#include "pantin/error.hpp"
+#include "pantin/model.hpp"
+
+namespace pantin {
+namespace {
+
+[[noreturn]] void fail(const std::string& part, const std::string& what) {
+    throw Error(ErrorKind::input, "part '" + part + "': " + what);
+}
+
+bool is_share(double value) { return std::isfinite(value) && value >= 0; }
+
+RefinementOptions with(RefinementOptions options, const RefineSkeleton& asked) {
+    options.prune = asked.prune.value_or(options.prune);
+    options.merge = asked.merge.value_or(options.merge);
+    options.collapse = asked.collapse.value_or(options.collapse);
+    return options;
+}
+
+// The flat skeleton in the model; balls between the width in the plane and the thickness.
+JointTree in_space(const SubSkeleton& flat, const Frame& frame, double height, int part) {
+    const double scale = length(frame.right) * 0.5 * (1 + height);
+    JointTree tree;
+    for (const SubSkeleton::Joint& joint : flat.joints)
+        tree.joints.push_back({to_model(frame, joint.place), scale * joint.radius, part});
+    tree.bones = flat.bones;
+    return tree;
+}
+
+} // namespace
+
+// What was drawn and how it was moved; all that is made of this stroke alone.
+struct Model::Drawn {
+    PartStroke stroke;
+    Frame frame;                  // after all moves
+    SubSkeletonOptions skeleton;  // with what refine() asked for
+    RefineSkeleton asked;         // for this part; otherwise the model's thresholds hold
+    double diagonal = 0;
+    SubSkeleton flat;
+    std::shared_ptr<const Inflation> inflation; // made when it is needed
+};
+
+Model::Model(Point2d origin, const ModelOptions& options) : origin_(origin), options_(options), global_(options.refinement) {}
+
+Model::Model(const Strokes& strokes, const ModelOptions& options) : Model(strokes.origin, options) {
+    for (const ModelCall& call : strokes.calls) apply(call);
+}
+
+void Model::apply(const ModelCall& call) {
+    struct Caller {
+        Model& model;
+        void operator()(const PartStroke& c) const { model.add_part(c); }
+        void operator()(const MovePart& c) const { model.move_part(c); }
+        void operator()(const SetSymmetry& c) const { model.set_symmetry(c.part, c.symmetry); }
+        void operator()(const RefineSkeleton& c) const { model.refine(c); }
+        void operator()(const RemovePart& c) const { model.remove_part(c.part); }
+    };
+    std::visit(Caller{*this}, call);
+}
+
+Model::Drawn& Model::drawn(const std::string& name) {
+    for (auto& d : drawn_)
+        if (d->stroke.name == name) return *d;
+    fail(name, "there is no such part");
+}
+
+void Model::check_new(const PartStroke& part) const {
+    if (part.name.empty()) throw Error(ErrorKind::input, "a part has no name");
+    bool has_parent = part.parent.empty();
+    for (const auto& d : drawn_) {
+        if (d->stroke.name == part.name) fail(part.name, "there is already a part of this name");
+        has_parent = has_parent || d->stroke.name == part.parent;
+    }
+    if (!has_parent) fail(part.name, "its parent '" + part.parent + "' does not come before it");
+    if (!(part.height > 0) || !std::isfinite(part.height)) fail(part.name, "its height must be positive");
+    if (!std::isfinite(part.depth)) fail(part.name, "its depth is not a number");
+}
+
+void Model::extract(Drawn& d) const {
+    try {
+        d.flat = sub_skeleton(d.stroke.stroke, d.skeleton);
+    } catch (const Error& error) {
+        fail(d.stroke.name, error.what());
+    }
+    d.diagonal = diagonal_of(d.flat.outline.corners);
+}
+
+void Model::add_part(const PartStroke& part) {
+    check_new(part);
+    const auto d = std::make_shared<Drawn>();
+    d->stroke = part;
+    d->frame = frame_of(part.view, origin_, part.depth);
+    d->skeleton = options_.skeleton;
+    extract(*d);
+    if (d->flat.outline.cut > 0)
+        repairs_.push_back("part '" + part.name + "': the stroke crosses itself " + std::to_string(d->flat.outline.cut) + " times, cut");
+    drawn_.push_back(d);
+    update();
+}
+
+void Model::remove_part(const std::string& name) {
+    const Drawn* gone = &drawn(name);
+    std::erase_if(drawn_, [&](const auto& d) { return d.get() == gone; });
+    for (auto& d : drawn_)
+        if (d->stroke.parent == name) d->stroke.parent.clear();
+    update();
+}
+
+void Model::move_part(const MovePart& move) {
+    Drawn& d = drawn(move.part);
+    if (!(move.scale > 0) || !std::isfinite(move.scale)) fail(move.part, "the scale must be positive");
+    if (!std::isfinite(move.degrees) || !std::isfinite(dot(move.translate, move.translate))) fail(move.part, "a move is not a number");
+    if (move.axis < 'x' || move.axis > 'z') fail(move.part, "the axis must be x, y or z");
+    d.frame = moved(d.frame, to_model(d.frame, middle_of(d.flat.outline.corners)), move);
+    update();
+}
+
+void Model::set_symmetry(const std::string& name, Symmetry symmetry) {
+    drawn(name).stroke.symmetry = symmetry;
+    update();
+}
+
+void Model::refine(const RefineSkeleton& call) {
+    for (const auto& value : {call.simplify, call.prune, call.merge, call.collapse})
+        if (value && !is_share(*value)) throw Error(ErrorKind::input, "refine: a threshold must be a number of at least 0");
+    if (call.part.empty()) {
+        if (call.branch >= 0) throw Error(ErrorKind::input, "refine: a branch without its part");
+        global_ = with(global_, call);
+        for (auto& d : drawn_) {
+            d->asked = {};
+            if (call.simplify) simplify(*d, -1, *call.simplify);
+        }
+        if (call.simplify) options_.skeleton.branch_thresholds = {{-1, *call.simplify}}; // of parts to come
+        return update();
+    }
+    Drawn& d = drawn(call.part);
+    if (call.branch >= 0) {
+        if (call.prune || call.merge || call.collapse) fail(call.part, "a branch can only be simplified");
+        if (call.branch >= std::ssize(d.flat.branches))
+            fail(call.part, "it has no branch " + std::to_string(call.branch) + " of " + std::to_string(d.flat.branches.size()));
+    }
+    if (call.simplify) simplify(d, call.branch, *call.simplify);
+    if (call.prune) d.asked.prune = call.prune;
+    if (call.merge) d.asked.merge = call.merge;
+    if (call.collapse) d.asked.collapse = call.collapse;
+    update();
+}
+
+void Model::simplify(Drawn& d, int branch, double threshold) const {
+    if (branch < 0) d.skeleton.branch_thresholds.clear();
+    d.skeleton.branch_thresholds[branch] = threshold;
+    extract(d);
+}
+
+// Everything that follows from more than one part.
+void Model::update() {
+    parts_.clear();
+    drawn_of_.clear();
+    std::vector<ParentWish> wishes;
+    std::vector<JointTree> trees;
+    std::vector<RefinementOptions> limits;
+    const auto part_of = [&](const std::string& name) {
+        for (std::size_t p = 0; p < parts_.size(); ++p)
+            if (!name.empty() && parts_[p].stroke.name == name) return static_cast<int>(p);
+        return -1;
+    };
+    for (std::size_t i = 0; i < drawn_.size(); ++i) {
+        const Drawn& d = *drawn_[i];
+        const int parent = part_of(d.stroke.parent), original = static_cast<int>(parts_.size());
+        const RefinementOptions shares = with(global_, d.asked);
+        for (const bool copy : {false, true}) {
+            if (copy && d.stroke.symmetry == Symmetry::none) continue;
+            const Frame frame = copy ? mirrored(d.frame, d.stroke.symmetry) : d.frame;
+            const double diagonal = d.diagonal * length(frame.right);
+            trees.push_back(in_space(d.flat, frame, d.stroke.height, static_cast<int>(parts_.size())));
+            limits.push_back({shares.prune * diagonal, shares.merge * diagonal, shares.collapse * diagonal});
+            wishes.push_back({parent, copy ? original : -1});
+            parts_.push_back({d.stroke, copy, frame, d.flat, -1});
+            drawn_of_.push_back(static_cast<int>(i));
+        }
+    }
+    connection_ = connect(trees, wishes);
+    for (std::size_t p = 0; p < parts_.size(); ++p) parts_[p].parent = connection_.attachments[p].parent;
+    skeleton_ = rooted(pantin::refine(connection_.tree, limits));
+}
+
+const Inflation& Model::inflation_of(int part) {
+    Drawn& d = *drawn_[drawn_of_[part]];
+    if (!d.inflation) d.inflation = std::make_shared<Inflation>(inflate(d.stroke.stroke, options_.inflation));
+    return *d.inflation;
+}
+
+SolidMesh Model::surface(int part) { return part_surface(inflation_of(part), parts_[part].stroke.height, parts_[part].frame); }
+
+std::vector<InflatedPart> Model::inflated() {
+    std::vector<InflatedPart> result;
+    for (int p = 0; p < std::ssize(parts_); ++p) result.push_back({&inflation_of(p), parts_[p].stroke.height, parts_[p].frame});
+    return result;
+}
+
+SolidMesh Model::united() { return unite(inflated(), options_.unite); }
+
+} // namespace pantin

@@ -1,0 +1,93 @@
+// What the name of a part says about it.
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "pantin/strokes.hpp"
+
+namespace pantin {
+namespace {
+
+struct Known {
+    std::string_view word;
+    Label label;
+};
+// In the singular, sorted. A trunk is a torso's far more often than an elephant's.
+constexpr auto known_words = std::to_array<Known>({
+    {"abdomen", Label::body},  {"antenna", Label::head}, {"antennae", Label::head}, {"antler", Label::head},
+    {"arm", Label::limb},      {"beak", Label::head},    {"beard", Label::head},    {"belly", Label::body},
+    {"bill", Label::head},     {"body", Label::body},    {"brow", Label::head},     {"cap", Label::head},
+    {"carapace", Label::body}, {"cheek", Label::head},   {"chest", Label::body},    {"chin", Label::head},
+    {"claw", Label::limb},     {"crest", Label::head},   {"crown", Label::head},    {"ear", Label::head},
+    {"eye", Label::head},      {"eyeball", Label::head}, {"eyebrow", Label::head},  {"eyelid", Label::head},
+    {"face", Label::head},     {"feet", Label::limb},    {"finger", Label::limb},   {"foot", Label::limb},
+    {"hair", Label::head},     {"hand", Label::limb},    {"hat", Label::head},      {"head", Label::head},
+    {"hoof", Label::limb},     {"horn", Label::head},    {"jaw", Label::head},      {"leg", Label::limb},
+    {"mane", Label::head},     {"mouth", Label::head},   {"muzzle", Label::head},   {"neck", Label::body},
+    {"nose", Label::head},     {"paw", Label::limb},     {"ponytail", Label::head}, {"shell", Label::body},
+    {"skull", Label::head},    {"snout", Label::head},   {"stomach", Label::body},  {"tail", Label::tail},
+    {"thorax", Label::body},   {"toe", Label::limb},     {"tongue", Label::head},   {"torso", Label::body},
+    {"trunk", Label::body},    {"tummy", Label::body},   {"tusk", Label::head},     {"whisker", Label::head},
+    {"wing", Label::wing},
+});
+// Written together with the word they belong to: "leftwing", "forehead".
+constexpr std::array<std::string_view, 12> prefixes = {"left", "right", "fore",  "hind",   "front", "back",
+                                                       "rear", "upper", "lower", "middle", "inner", "outer"};
+
+bool is_small(char c) { return c >= 'a' && c <= 'z'; }
+bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
+
+// Runs of letters in small letters, also split before the capital of "leftArm" and "LEFTArm".
+std::vector<std::string> words_of(const std::string& name) {
+    std::vector<std::string> words;
+    bool open = false;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const char c = name[i];
+        const bool capital = is_capital(c);
+        if (!capital && !is_small(c)) {
+            open = false;
+            continue;
+        }
+        const bool hump = capital && i > 0 && (is_small(name[i - 1]) || (i + 1 < name.size() && is_small(name[i + 1])));
+        if (!open || hump) words.emplace_back();
+        open = true;
+        words.back() += capital ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return words;
+}
+
+Label label_of_singular(std::string_view word) {
+    const auto found = std::find_if(known_words.begin(), known_words.end(), [&](const Known& k) { return k.word == word; });
+    return found == known_words.end() ? Label::background : found->label;
+}
+
+// "ears", "torsoes", "bellies".
+Label label_of_number(std::string_view word) {
+    Label label = label_of_singular(word);
+    if (label == Label::background && word.ends_with('s')) label = label_of_singular(word.substr(0, word.size() - 1));
+    if (label == Label::background && word.ends_with("es")) label = label_of_singular(word.substr(0, word.size() - 2));
+    if (label == Label::background && word.ends_with("ies"))
+        label = label_of_singular(std::string(word.substr(0, word.size() - 3)) + "y");
+    return label;
+}
+
+Label label_of_word(std::string_view word) {
+    Label label = label_of_number(word);
+    for (const std::string_view prefix : prefixes)
+        if (label == Label::background && word.starts_with(prefix)) label = label_of_number(word.substr(prefix.size()));
+    return label;
+}
+
+} // namespace
+
+Label label_of_part(const std::string& name) {
+    // In a compound the last word says what it is: a "head feather hand" is a hand.
+    Label label = Label::background;
+    for (const std::string& word : words_of(name))
+        if (const Label own = label_of_word(word); own != Label::background) label = own;
+    return label == Label::background ? Label::limb : label;
+}
+
+} // namespace pantin

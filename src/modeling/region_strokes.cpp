@@ -1,0 +1,97 @@
+// Part labels of a scanned drawing as strokes (include/pantin/model_view.hpp).
+#include <algorithm>
+#include <cmath>
+
+#include "pantin/error.hpp"
+#include "pantin/geometry.hpp"
+#include "pantin/image.hpp"
+#include "pantin/model_view.hpp"
+
+namespace pantin {
+namespace {
+
+constexpr Label modelling_order[] = {Label::body, Label::head, Label::limb, Label::tail, Label::wing};
+constexpr double least_share = 0.002; // of the silhouette: smaller pieces are left out
+constexpr int smoothing = 2;          // border pixels to each side whose mean is a point of the stroke
+constexpr double least_reach = 2;     // pixels that a part extends into its neighbour
+
+struct Piece {
+    Label label;
+    Mask mask;
+    double left = 0;
+    long area = 0;
+};
+
+// Pieces of a label, from left to right.
+std::vector<Piece> pieces_of(const LabelMap& labels, Label label, long least_area) {
+    Mask mask(labels.width(), labels.height());
+    std::transform(labels.begin(), labels.end(), mask.begin(), [&](auto value) { return value == static_cast<int>(label); });
+    const Components components = connected_components(mask);
+    std::vector<Piece> pieces;
+    for (std::size_t c = 0; c < components.list.size(); ++c) {
+        if (components.list[c].area < least_area) continue;
+        pieces.push_back({label, component_mask(components, static_cast<int>(c) + 1), static_cast<double>(components.list[c].box.x),
+                          components.list[c].area});
+    }
+    std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.left < b.left; });
+    return pieces;
+}
+
+// The piece and what lies within reach of its seams with parts that come before it.
+Mask extended(const Mask& piece, const Mask& before, const Grid<int>& silhouette_distance) {
+    Mask result = piece;
+    for (int y = 0; y < piece.height(); ++y)
+        for (int x = 0; x < piece.width(); ++x) {
+            if (!piece(x, y)) continue;
+            const bool seam = before.value_or(x - 1, y, 0) || before.value_or(x + 1, y, 0) || before.value_or(x, y - 1, 0) || before.value_or(x, y + 1, 0);
+            if (!seam) continue;
+            const double reach = std::max(least_reach, std::sqrt(static_cast<double>(silhouette_distance(x, y))));
+            const int r = static_cast<int>(reach);
+            for (int dy = -r; dy <= r; ++dy)
+                for (int dx = -r; dx <= r; ++dx)
+                    if (dx * dx + dy * dy <= reach * reach && before.value_or(x + dx, y + dy, 0)) result(x + dx, y + dy) = 1;
+        }
+    return result;
+}
+
+// The outer border, its steps smoothed.
+std::vector<Point2d> stroke_of(const Mask& mask) {
+    const Mask padded = pad(largest_component(mask), 1);
+    const std::vector<Border> borders = follow_borders(padded);
+    const std::vector<Point2i>& border = borders.front().points;
+    const int n = static_cast<int>(border.size());
+    std::vector<Point2d> stroke;
+    for (int i = 0; i < n; ++i) {
+        Point2d sum;
+        for (int k = -smoothing; k <= smoothing; ++k) sum = sum + to_double(border[((i + k) % n + n) % n]);
+        stroke.push_back(1.0 / (2 * smoothing + 1) * sum - Point2d{1, 1}); // without the padding
+    }
+    return stroke;
+}
+
+} // namespace
+
+Strokes strokes_from_labels(const LabelMap& labels) {
+    const Mask silhouette = fill_holes(largest_component(foreground(labels)));
+    const long least_area = std::max(16L, static_cast<long>(least_share * static_cast<double>(std::count(silhouette.begin(), silhouette.end(), 1))));
+    const Grid<int> distances = squared_distance_transform(silhouette);
+    Strokes strokes;
+    Mask before(labels.width(), labels.height());
+    for (const Label label : modelling_order) {
+        const std::vector<Piece> pieces = pieces_of(labels, label, least_area);
+        Mask own = before;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            PartStroke part;
+            part.name = std::string(name_of(label)) + (pieces.size() > 1 ? "_" + std::to_string(i + 1) : "");
+            part.label = label;
+            part.stroke = stroke_of(extended(pieces[i].mask, before, distances));
+            strokes.calls.emplace_back(part);
+            for (std::size_t k = 0; k < own.size(); ++k) own.data()[k] |= pieces[i].mask.data()[k];
+        }
+        before = own;
+    }
+    if (strokes.calls.empty()) throw Error(ErrorKind::input, "labels: no part is large enough for a stroke");
+    return strokes;
+}
+
+} // namespace pantin

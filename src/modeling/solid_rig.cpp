@@ -1,0 +1,108 @@
+// Rigs in space (include/pantin/model_view.hpp).
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "pantin/model_view.hpp"
+
+namespace pantin {
+namespace {
+
+struct OnSkeleton {
+    Vec3 place;
+    double radius = 0;
+};
+
+// The point of the model's skeleton that is seen nearest to a pixel.
+OnSkeleton seen_at(const ModelSkeleton& skeleton, const ModelView& view, Point2d pixel) {
+    OnSkeleton best;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const ModelSkeleton::Joint& joint : skeleton.joints) {
+        const ModelSkeleton::Joint& parent = joint.parent >= 0 ? skeleton.joints[joint.parent] : joint;
+        const Point2d a = project(view, parent.place), v = project(view, joint.place) - a;
+        const double square = dot(v, v);
+        const double t = square > 0 ? std::clamp(dot(pixel - a, v) / square, 0.0, 1.0) : 0;
+        const double d = distance(pixel, a + t * v);
+        if (d >= nearest) continue;
+        nearest = d;
+        best = {parent.place + t * (joint.place - parent.place), parent.radius + t * (joint.radius - parent.radius)};
+    }
+    return best;
+}
+
+// Working pixels and depth of the rig's world (animation.hpp), which looks straight from the front.
+struct Straight {
+    const ModelView& view;
+    Point2d pixel(Vec3 p) const { return view.offset + view.scale * Point2d{p.x, -p.y}; }
+    double depth(Vec3 p) const { return view.scale * p.z / view.height; }
+};
+
+// Mesh, texture coordinates and weights of a rig whose bones are there.
+void add_surface(Rig& rig, const SolidMesh& mesh, const ModelView& view, const std::vector<BoneSegment>& segments) {
+    const Straight straight{view};
+    rig.width = view.width;
+    rig.height = view.height;
+    rig.solid = true;
+    rig.mesh = {};
+    rig.texture.clear();
+    rig.depth.clear();
+    for (const Vec3& v : mesh.vertices) {
+        rig.mesh.vertices.push_back(straight.pixel(v));
+        rig.depth.push_back(straight.depth(v));
+        const Point2d seen = project(view, v);
+        rig.texture.push_back({std::clamp((seen.x + 0.5) / view.width, 0.0, 1.0), std::clamp((seen.y + 0.5) / view.height, 0.0, 1.0)});
+    }
+    for (const auto& [a, b, c] : mesh.triangles) rig.mesh.faces.push_back({a, c, b});
+    rig.weights = bone_heat(mesh, segments);
+}
+
+void place(Bone& bone, Vec3 head, Vec3 tail, const ModelView& view) {
+    const Straight straight{view};
+    bone.head = straight.pixel(head), bone.tail = straight.pixel(tail);
+    bone.head_depth = straight.depth(head), bone.tail_depth = straight.depth(tail);
+}
+
+} // namespace
+
+Rig model_rig(const Model& model, const SolidMesh& mesh, const ModelView& view) {
+    const ModelSkeleton& skeleton = model.skeleton();
+    Rig rig;
+    std::vector<BoneSegment> segments;
+    std::map<std::string, int> used;
+    std::vector<int> bone_of(skeleton.joints.size());
+    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+        const ModelSkeleton::Joint& joint = skeleton.joints[j];
+        const ModelPart& part = model.parts()[joint.part];
+        const bool root = joint.parent < 0;
+        if (root && j > 0) { // a tree of its own hangs on the first one's root
+            bone_of[j] = 0;
+            continue;
+        }
+        const ModelSkeleton::Joint& parent = root ? joint : skeleton.joints[joint.parent];
+        Bone bone;
+        bone.name = root ? "hips" : part.name();
+        if (const int number = used[bone.name]++; number > 0) bone.name += "." + std::to_string(number);
+        bone.label = part.stroke.label != Label::background ? part.stroke.label : label_of_part(part.stroke.name);
+        bone.parent = root ? -1 : bone_of[joint.parent];
+        place(bone, parent.place, joint.place, view);
+        bone_of[j] = static_cast<int>(rig.bones.size());
+        rig.bones.push_back(bone);
+        segments.push_back({parent.place, joint.place, 0.5 * (parent.radius + joint.radius)});
+    }
+    add_surface(rig, mesh, view, segments);
+    return rig;
+}
+
+Rig lifted(const Rig& flat, const Model& model, const SolidMesh& mesh, const ModelView& view) {
+    Rig rig = flat;
+    std::vector<BoneSegment> segments;
+    for (Bone& bone : rig.bones) {
+        const OnSkeleton head = seen_at(model.skeleton(), view, bone.head), tail = seen_at(model.skeleton(), view, bone.tail);
+        place(bone, head.place, tail.place, view);
+        segments.push_back({head.place, tail.place, 0.5 * (head.radius + tail.radius)});
+    }
+    add_surface(rig, mesh, view, segments);
+    return rig;
+}
+
+} // namespace pantin

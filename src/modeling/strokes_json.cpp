@@ -1,0 +1,349 @@
+// strokes.json (docs/formats.md). Parts and calls are read in order, as they will be played: a call knows the parts that stand
+// then.
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "core/json.hpp"
+#include "core/json_reader.hpp"
+#include "pantin/strokes.hpp"
+
+namespace pantin {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double huge = 1e15;
+constexpr double most_degrees = 1e6; // sine and cosine are exact to the last bit up to here
+constexpr double most_scale = 1e6, most_share = 10;
+constexpr long most_branches = 1'000'000;
+constexpr std::size_t most_points = 200'000, thinned_points = 20'000;
+constexpr std::array<std::string_view, 3> view_names = {"front", "side", "top"};
+constexpr std::array<std::string_view, 4> symmetry_names = {"none", "x", "y", "z"};
+
+// Messages are one line, whatever a file calls its parts.
+std::string in_quotes(const std::string& text) {
+    std::string line = "'";
+    for (const char c : text) line += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+    return line + "'";
+}
+
+void check_keys(const JsonReader& reader, std::initializer_list<std::string_view> known) {
+    if (!reader.value().is_object()) reader.fail("must be an object");
+    for (const auto& [key, value] : reader.value().items())
+        if (std::find(known.begin(), known.end(), key) == known.end()) reader.fail("unknown key " + in_quotes(key));
+}
+
+// --- values ------------------------------------------------------------------------------------------------
+
+Point2d read_point(const JsonReader& reader) {
+    const std::vector<JsonReader> xy = reader.elements(2, 2);
+    return {xy[0].number(-huge, huge), xy[1].number(-huge, huge)};
+}
+
+double read_positive(const JsonReader& owner, const char* key, double most) {
+    const double x = owner.at(key).number(-huge, most);
+    if (!(x > 0)) owner.fail(std::string(key) + " must be greater than 0");
+    return x;
+}
+
+Viewpoint read_view(const JsonReader& reader) {
+    const auto found = std::find(view_names.begin(), view_names.end(), reader.text());
+    if (found == view_names.end()) reader.fail("must be front, side or top");
+    return static_cast<Viewpoint>(found - view_names.begin());
+}
+
+// What `true` asks for: a part off the model's middle gets its copy on the other side of it, along the direction in which it is
+// seen; one in the middle gets it beside itself on the canvas.
+Symmetry usual_symmetry(const PartStroke& part) {
+    const bool off = part.depth != 0;
+    switch (part.view) {
+    case Viewpoint::front:
+        return off ? Symmetry::z : Symmetry::x;
+    case Viewpoint::side:
+        return off ? Symmetry::x : Symmetry::z;
+    case Viewpoint::top:
+        break;
+    }
+    return off ? Symmetry::y : Symmetry::x;
+}
+
+Symmetry read_symmetry(const JsonReader& reader, const PartStroke& part) {
+    if (reader.value().is_boolean()) return reader.boolean() ? usual_symmetry(part) : Symmetry::none;
+    const auto first = symmetry_names.begin() + 1; // "none" is written as false
+    const auto found = reader.value().is_string() ? std::find(first, symmetry_names.end(), reader.text()) : symmetry_names.end();
+    if (found == symmetry_names.end()) reader.fail("must be true, false, x, y or z");
+    return static_cast<Symmetry>(found - symmetry_names.begin());
+}
+
+Rgb8 read_colour(const JsonReader& reader) {
+    const std::string text = reader.text();
+    std::array<int, 6> digits{};
+    bool right = text.size() == 7 && text[0] == '#';
+    for (std::size_t i = 0; i < 6 && right; ++i) {
+        const char c = text[i + 1];
+        digits[i] = c >= '0' && c <= '9'   ? c - '0'
+                    : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                    : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                           : -1;
+        right = digits[i] >= 0;
+    }
+    if (!right) reader.fail("must be a colour, #rrggbb");
+    const auto byte = [&](int i) { return static_cast<std::uint8_t>(16 * digits[i] + digits[i + 1]); };
+    return {byte(0), byte(2), byte(4)};
+}
+
+// --- parts -------------------------------------------------------------------------------------------------
+
+bool has_three_points(const std::vector<Point2d>& points) {
+    const auto second = std::find_if(points.begin(), points.end(), [&](Point2d p) { return p != points.front(); });
+    return std::any_of(second, points.end(), [&](Point2d p) { return p != points.front() && p != *second; });
+}
+
+void drop_repeated(std::vector<Point2d>& stroke) { stroke.erase(std::unique(stroke.begin(), stroke.end()), stroke.end()); }
+
+// `place` names the part.
+void tidy_stroke(std::vector<Point2d>& stroke, const JsonReader& reader, const std::string& place,
+                 std::vector<std::string>& repairs) {
+    const std::size_t given = stroke.size();
+    drop_repeated(stroke);
+    if (const std::size_t gone = given - stroke.size())
+        repairs.push_back(place + ": " + std::to_string(gone) + " repeated point" + (gone == 1 ? "" : "s") + " dropped");
+    // A stroke that ends where it began says once more what holds of every stroke.
+    if (stroke.size() > 1 && stroke.front() == stroke.back()) stroke.pop_back();
+    if (const std::size_t many = stroke.size(); many > most_points) {
+        for (std::size_t i = 0; i < thinned_points; ++i) stroke[i] = stroke[i * many / thinned_points];
+        stroke.resize(thinned_points);
+        drop_repeated(stroke);
+        repairs.push_back(place + ": " + std::to_string(many) + " points thinned to " + std::to_string(stroke.size()));
+    }
+    if (!has_three_points(stroke)) reader.fail("a stroke needs at least three points");
+}
+
+class StrokesReader {
+public:
+    explicit StrokesReader(const JsonReader& root) : root_(root) {}
+
+    Strokes read() {
+        check_keys(root_, {"origin", "parts", "calls"});
+        if (root_.has("parts"))
+            for (const JsonReader& item : root_.at("parts").elements()) read_part(item);
+        if (root_.has("calls"))
+            for (const JsonReader& item : root_.at("calls").elements()) read_call(item);
+        if (!first_part_) root_.fail("holds no part");
+        strokes_.origin = root_.has("origin") ? read_point(root_.at("origin")) : *first_part_;
+        return std::move(strokes_);
+    }
+
+private:
+    const JsonReader& root_;
+    Strokes strokes_;
+    std::map<std::string, PartStroke> parts_; // that stand now, without their strokes
+    std::optional<Point2d> first_part_;       // the middle of its bounding box
+
+    void read_part(const JsonReader& item) {
+        PartStroke part;
+        part.name = item.at("name").text();
+        if (part.name.empty()) item.at("name").fail("must not be empty");
+        // From here on the part is known by its name, which says more than its number and is all that there is in an SVG.
+        const std::string place = "part " + in_quotes(part.name);
+        const JsonReader reader(item.value(), item.file(), place);
+        check_keys(reader, {"name", "stroke", "depth", "view", "symmetric", "parent", "height", "label", "colour"});
+        if (parts_.contains(part.name)) reader.fail("there are two parts of this name");
+        for (const JsonReader& pair : reader.at("stroke").elements()) part.stroke.push_back(read_point(pair));
+        tidy_stroke(part.stroke, reader, place, strokes_.repairs);
+        read_attributes(reader, part);
+        if (!first_part_) first_part_ = middle_of(part.stroke);
+        PartStroke& known = parts_[part.name];
+        known.depth = part.depth;
+        known.view = part.view;
+        strokes_.calls.emplace_back(std::move(part));
+    }
+    void read_attributes(const JsonReader& reader, PartStroke& part) const {
+        if (reader.has("depth")) part.depth = reader.at("depth").number(-huge, huge);
+        if (reader.has("view")) part.view = read_view(reader.at("view"));
+        if (reader.has("symmetric")) part.symmetry = read_symmetry(reader.at("symmetric"), part);
+        if (reader.has("parent")) part.parent = reader.at("parent").text();
+        if (part.parent == part.name) reader.fail("is its own parent");
+        if (!part.parent.empty() && !parts_.contains(part.parent))
+            reader.fail("the parent " + in_quotes(part.parent) + " does not come before it");
+        if (reader.has("height")) part.height = read_positive(reader, "height", huge);
+        if (reader.has("label")) {
+            part.label = label_from_name(reader.at("label").text());
+            if (part.label == Label::background) reader.at("label").fail("must be head, body, limb, tail or wing");
+        }
+        if (reader.has("colour")) part.colour = read_colour(reader.at("colour"));
+    }
+    static Point2d middle_of(const std::vector<Point2d>& stroke) {
+        Point2d low = stroke.front(), high = low;
+        for (const Point2d p : stroke) {
+            low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+            high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+        }
+        return 0.5 * (low + high);
+    }
+
+    void read_call(const JsonReader& item) {
+        if (!item.value().is_object() || item.value().size() != 1) item.fail("must be an object with one key, the call");
+        const auto [name, reader] = item.entries().front();
+        if (name == "add_part")
+            read_part(reader);
+        else if (name == "move_part")
+            strokes_.calls.emplace_back(read_move(reader));
+        else if (name == "set_symmetry")
+            strokes_.calls.emplace_back(read_set_symmetry(reader));
+        else if (name == "refine")
+            strokes_.calls.emplace_back(read_refine(reader));
+        else if (name == "remove_part")
+            read_remove(reader);
+        else
+            item.fail("there is no call " + in_quotes(name));
+    }
+    std::string known_part(const JsonReader& reader) const {
+        const std::string name = reader.text();
+        if (!parts_.contains(name)) reader.fail("there is no part " + in_quotes(name) + " here");
+        return name;
+    }
+    MovePart read_move(const JsonReader& reader) const {
+        check_keys(reader, {"part", "translate", "rotate", "scale"});
+        MovePart move;
+        move.part = known_part(reader.at("part"));
+        if (reader.has("translate")) {
+            const std::vector<JsonReader> xyz = reader.at("translate").elements(3, 3);
+            move.translate = {xyz[0].number(-huge, huge), xyz[1].number(-huge, huge), xyz[2].number(-huge, huge)};
+        }
+        if (reader.has("rotate")) {
+            const JsonReader rotate = reader.at("rotate");
+            check_keys(rotate, {"axis", "degrees"});
+            const std::string axis = rotate.at("axis").text();
+            if (axis != "x" && axis != "y" && axis != "z") rotate.at("axis").fail("must be x, y or z");
+            move.axis = axis[0];
+            move.degrees = rotate.at("degrees").number(-most_degrees, most_degrees);
+        }
+        const JsonReader named(reader.value(), reader.file(), "move_part of " + in_quotes(move.part));
+        if (named.has("scale")) move.scale = read_positive(named, "scale", most_scale);
+        return move;
+    }
+    SetSymmetry read_set_symmetry(const JsonReader& reader) const {
+        check_keys(reader, {"part", "symmetric"});
+        const std::string part = known_part(reader.at("part"));
+        return {part, read_symmetry(reader.at("symmetric"), parts_.at(part))};
+    }
+    RefineSkeleton read_refine(const JsonReader& reader) const {
+        check_keys(reader, {"part", "branch", "simplify", "prune", "merge", "collapse"});
+        RefineSkeleton refine;
+        if (reader.has("part")) refine.part = known_part(reader.at("part"));
+        if (reader.has("branch")) {
+            refine.branch = static_cast<int>(reader.at("branch").integer(0, most_branches));
+            if (refine.part.empty()) reader.fail("a branch needs a part");
+            if (reader.has("prune") || reader.has("merge") || reader.has("collapse"))
+                reader.fail("a branch alone knows simplify only");
+        }
+        const auto share = [&](const char* key, std::optional<double>& value) {
+            if (reader.has(key)) value = reader.at(key).number(0, most_share);
+        };
+        share("simplify", refine.simplify);
+        share("prune", refine.prune);
+        share("merge", refine.merge);
+        share("collapse", refine.collapse);
+        return refine;
+    }
+    void read_remove(const JsonReader& reader) {
+        const std::string part = known_part(reader);
+        parts_.erase(part);
+        strokes_.calls.emplace_back(RemovePart{part});
+    }
+};
+
+// --- writing -----------------------------------------------------------------------------------------------
+
+Json json_of(Symmetry symmetry) {
+    if (symmetry == Symmetry::none) return false;
+    return std::string(symmetry_names[static_cast<std::size_t>(symmetry)]);
+}
+
+std::string text_of(Rgb8 colour) {
+    std::string text = "#";
+    for (const int byte : {colour.r, colour.g, colour.b}) {
+        text += "0123456789abcdef"[byte / 16];
+        text += "0123456789abcdef"[byte % 16];
+    }
+    return text;
+}
+
+Json json_of(const PartStroke& part) {
+    Json item;
+    item["name"] = part.name;
+    item["stroke"] = Json::array();
+    for (const Point2d p : part.stroke) item["stroke"].push_back(Json::array({p.x, p.y}));
+    if (part.depth != 0) item["depth"] = part.depth;
+    if (part.view != Viewpoint::front) item["view"] = std::string(view_names[static_cast<std::size_t>(part.view)]);
+    if (part.symmetry != Symmetry::none) item["symmetric"] = json_of(part.symmetry);
+    if (!part.parent.empty()) item["parent"] = part.parent;
+    if (part.height != 1) item["height"] = part.height;
+    if (part.label != Label::background) item["label"] = std::string(name_of(part.label));
+    if (part.colour) item["colour"] = text_of(*part.colour);
+    return item;
+}
+
+Json call(const char* name, Json value) {
+    Json json;
+    json[name] = std::move(value);
+    return json;
+}
+
+struct CallWriter {
+    Json operator()(const PartStroke& part) const { return call("add_part", json_of(part)); }
+    Json operator()(const MovePart& move) const {
+        Json item;
+        item["part"] = move.part;
+        const Vec3 t = move.translate;
+        if (t != Vec3{}) item["translate"] = Json::array({t.x, t.y, t.z});
+        if (move.degrees != 0 || move.axis != 'z') {
+            item["rotate"]["axis"] = std::string(1, move.axis);
+            item["rotate"]["degrees"] = move.degrees;
+        }
+        if (move.scale != 1) item["scale"] = move.scale;
+        return call("move_part", item);
+    }
+    Json operator()(const SetSymmetry& set) const {
+        Json item;
+        item["part"] = set.part;
+        item["symmetric"] = json_of(set.symmetry);
+        return call("set_symmetry", item);
+    }
+    Json operator()(const RefineSkeleton& refine) const {
+        Json item = Json::object();
+        if (!refine.part.empty()) item["part"] = refine.part;
+        if (refine.branch >= 0) item["branch"] = refine.branch;
+        if (refine.simplify) item["simplify"] = *refine.simplify;
+        if (refine.prune) item["prune"] = *refine.prune;
+        if (refine.merge) item["merge"] = *refine.merge;
+        if (refine.collapse) item["collapse"] = *refine.collapse;
+        return call("refine", item);
+    }
+    Json operator()(const RemovePart& remove) const { return call("remove_part", remove.part); }
+};
+
+} // namespace
+
+Strokes strokes_from_json(const std::string& text, const std::string& file) {
+    const Json json = parse_json(text, file);
+    const JsonReader root(json, file);
+    return StrokesReader(root).read();
+}
+
+std::string strokes_to_json(const Strokes& strokes) {
+    Json json;
+    json["origin"] = Json::array({strokes.origin.x, strokes.origin.y});
+    auto call = strokes.calls.begin();
+    for (; call != strokes.calls.end() && std::holds_alternative<PartStroke>(*call); ++call)
+        json["parts"].push_back(json_of(std::get<PartStroke>(*call)));
+    for (; call != strokes.calls.end(); ++call) json["calls"].push_back(std::visit(CallWriter{}, *call));
+    return to_json_text(json);
+}
+
+} // namespace pantin
