@@ -34,6 +34,8 @@ BoneAnimation retarget(const Rig& rig, const ReferenceSkeleton& reference, const
 
 // World positions of all mesh vertices at `time`.
 std::vector<Vec3> skin(const Rig& rig, const BoneAnimation& animation, double time);
+// Unit normals of a posed mesh's vertices, pointing outward: means of their faces', weighted by area.
+std::vector<Vec3> vertex_normals(const Mesh& mesh, const std::vector<Vec3>& vertices);
 
 struct RenderOptions {
     int size = 512;           // longer side of the frame
@@ -46,8 +48,10 @@ struct View {
     double left = 0, bottom = 0, width = 1, height = 1;
 };
 View view_of(const Rig& rig, const std::vector<BoneAnimation>& animations);
-// Texture: the drawing; `alpha` cuts it to the silhouette at the drawing's resolution.
+// Texture: the drawing; `alpha` cuts it to the silhouette at the drawing's resolution. Outside it colours go on as they are at the border.
 RgbaImage make_texture(const RgbImage& drawing, const LabelMap& labels);
+// The same without the cut, for solids, whose surface alone says where they end.
+RgbaImage make_solid_texture(const RgbImage& drawing, const LabelMap& labels);
 // Draws frames of one character, all from the same view. Keeps a reference to `rig`; may be used by several threads at once.
 class FrameRenderer {
 public:

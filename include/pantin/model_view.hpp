@@ -28,7 +28,7 @@ ModelView view_of(const Model& model, const SolidMesh& mesh, int size = 400);
 Point2d project(const ModelView& view, Vec3 p);
 
 struct ModelPicture {
-    RgbImage drawing; // flat colours and outlines, on white, twice the size of the labels
+    RgbImage drawing; // flat colours on white, twice the size of the labels
     LabelMap labels;
 };
 ModelPicture draw(Model& model, const ModelView& view);

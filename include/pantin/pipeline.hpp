@@ -15,6 +15,7 @@
 #include "pantin/detection.hpp"
 #include "pantin/error.hpp"
 #include "pantin/identification.hpp"
+#include "pantin/model.hpp"
 #include "pantin/rigging.hpp"
 #include "pantin/segmentation.hpp"
 #include "pantin/skeletonization.hpp"
@@ -35,6 +36,7 @@ struct Options {
     SkeletonizationOptions skeletonization;
     IdentificationOptions identification;
     RigOptions rigging;
+    ModelOptions modeling;
     AnimationOptions animation;
 };
 
@@ -117,5 +119,14 @@ void skeletonize_folder(const std::filesystem::path& folder, const Settings& set
 void identify_folder(const std::filesystem::path& folder, const Settings& settings);
 void rig_folder(const std::filesystem::path& folder, const Settings& settings);
 void render_folder(const std::filesystem::path& folder, const Settings& settings);
+
+// --- models -----------------------------------------------------------------------------------------------
+
+// Strokes (JSON or SVG, strokes.hpp) or a character's folder with labels.png to a rigged model: out/strokes.json, model.json, model.obj,
+// model.mtl, model.glb, and what identify_folder takes: drawing.png, mask.png, labels.png, skeleton.json. `calls`: a strokes.json whose
+// calls come after the input's own; empty: none. rig_folder and render_folder find the strokes and move the solid.
+// Error(input): a stroke or a call is invalid, or a file is none of these.
+void model_folder(const std::filesystem::path& input, const std::filesystem::path& out, const std::filesystem::path& calls,
+                  const Settings& settings);
 
 } // namespace pantin

@@ -73,6 +73,8 @@ struct Strokes {
 // JSON (docs/formats.md, "strokes.json"). Error(input) names `file`, the place and the fact.
 Strokes strokes_from_json(const std::string& text, const std::string& file);
 std::string strokes_to_json(const Strokes& strokes);
+// The strokes with the calls of another text, {"calls": […]}, after their own.
+Strokes with_calls(Strokes strokes, const std::string& text, const std::string& file);
 // Every path, polygon, polyline, rect, circle and ellipse of an SVG is a part, in document order (docs/formats.md, "SVG strokes").
 // Error(input) names `file` and what is wrong.
 Strokes strokes_from_svg(const std::string& text, const std::string& file);

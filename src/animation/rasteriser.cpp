@@ -21,6 +21,8 @@ namespace {
 constexpr std::int64_t subsamples = 256; // fixed-point units per sample
 constexpr int band_rows = 32;            // pixel rows that are drawn at a time
 constexpr double camera_distance = 2.5;  // of the perspective camera, in longer sides of the view
+constexpr Vec3 to_light{-0.4, 0.5, 0.77}; // of solids; about a unit vector
+constexpr double ambient = 0.5;           // brightness of what the light does not reach
 
 struct FrameSize {
     int width = 1, height = 1;
@@ -42,6 +44,7 @@ struct ScreenVertex {
     std::int64_t x = 0, y = 0;  // fixed point, y down
     double z = 0;               // larger is nearer
     double w = 1, u = 0, v = 0; // u and v are divided by depth
+    double light = 1;           // brightness, 0 to 1
 };
 
 class Projection {
@@ -243,7 +246,9 @@ private:
         const Rgba8 texel = sampler((p * a.u + q * b.u + r * c.u) / w, (p * a.v + q * b.v + r * c.v) / w);
         if (texel.a < 128) return;
         depth_(x, y) = z;
-        colour_(x, y) = {texel.r, texel.g, texel.b, 255};
+        const double light = p * a.light + q * b.light + r * c.light;
+        const auto lit = [light](std::uint8_t value) { return static_cast<std::uint8_t>(light * value + 0.5); };
+        colour_(x, y) = light == 1 ? Rgba8{texel.r, texel.g, texel.b, 255} : Rgba8{lit(texel.r), lit(texel.g), lit(texel.b), 255};
     }
 
     Rgba8 mean_of_samples(int x, int y, int supersampling, Rgba8 background) const {
@@ -301,6 +306,11 @@ RgbaImage FrameRenderer::operator()(const std::vector<Vec3>& vertices) const {
     const auto& [rig, options, frame, project, sampler] = *parts_;
     std::vector<ScreenVertex> screen;
     for (std::size_t v = 0; v < vertices.size(); ++v) screen.push_back(project(vertices[v], rig.texture[v]));
+    if (rig.solid) {
+        const std::vector<Vec3> normals = vertex_normals(rig.mesh, vertices);
+        for (std::size_t v = 0; v < vertices.size(); ++v)
+            screen[v].light = ambient + (1 - ambient) * std::clamp(dot(normals[v], to_light), 0.0, 1.0);
+    }
     // A background without alpha is empty, as the mean of its samples would make it.
     RgbaImage image(frame.width, frame.height, options.background.a == 0 ? Rgba8{0, 0, 0, 0} : options.background);
     const int rows = std::min(band_rows, frame.height);

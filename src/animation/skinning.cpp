@@ -47,7 +47,7 @@ std::vector<Placement> place_bones(const Rig& rig, const BoneAnimation& animatio
         Placement& p = placed[b];
         const auto& keys = animation.rotations[b];
         const Quaternion local = between(keys[key.index], keys[next], key.share);
-        p.head = to_world(rig.bones[b].head, rig.width, rig.height);
+        p.head = to_world(rig.bones[b].head, rig.width, rig.height, rig.bones[b].head_depth);
         if (rig.bones[b].parent < 0) {
             const Vec3 from = animation.root_translation[key.index], to = animation.root_translation[next];
             p.turn = local;

@@ -14,6 +14,7 @@ namespace {
 constexpr float faint_ink =
     0.10f;                        // darkness from which a pixel outside the silhouette may belong to a stroke
 constexpr float full_ink = 0.55f; // … and from which it is opaque
+constexpr double solid_rim = 1.5;         // working pixels inside the silhouette that a solid's texture leaves out
 constexpr double small_hole_share = 0.02; // of the silhouette; as in skeletonization
 
 Mask filled_silhouette(const LabelMap& labels) {
@@ -125,6 +126,19 @@ RgbaImage make_texture(const RgbImage& drawing, const LabelMap& labels) {
         if (opaque.data()[i] || nearest.data()[i] < 0) continue;
         const Rgba8 source = texture.data()[nearest.data()[i]];
         texture.data()[i] = {source.r, source.g, source.b, texture.data()[i].a};
+    }
+    return texture;
+}
+
+RgbaImage make_solid_texture(const RgbImage& drawing, const LabelMap& labels) {
+    // The border's own pixels may hold paper, which the sides of the solid would be painted with.
+    const double rim = solid_rim * drawing.width() / labels.width();
+    const Mask inside = erode_disc(enlarged(foreground(labels), drawing.width(), drawing.height()), rim);
+    const Grid<int> nearest = nearest_seed(inside);
+    RgbaImage texture(drawing.width(), drawing.height());
+    for (std::size_t i = 0; i < texture.size(); ++i) {
+        const Rgb8 colour = drawing.data()[std::max(nearest.data()[i], 0)];
+        texture.data()[i] = {colour.r, colour.g, colour.b, 255};
     }
     return texture;
 }

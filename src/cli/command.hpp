@@ -50,5 +50,6 @@ void print_result(const CommonOptions& options, const std::string& line);
 void add_animate(CLI::App& app, Run& run);
 void add_steps(CLI::App& app, Run& run);
 void add_evaluate(CLI::App& app, Run& run);
+void add_model(CLI::App& app, Run& run);
 
 } // namespace pantin::cli

@@ -45,6 +45,7 @@ int run_command_line(int argc, char** argv) {
     app.footer(exit_codes);
     cli::add_animate(app, run);
     cli::add_steps(app, run);
+    cli::add_model(app, run);
     cli::add_evaluate(app, run);
     try {
         app.parse(argc, argv);

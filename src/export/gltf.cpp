@@ -1,7 +1,7 @@
 // glTF 2.0 binary (Khronos Group 2021) with what importers need (docs/formats.md, "character.glb"): one
 // skinned mesh at the scene root without transform, all joints below one root, end joints at the leaves, at
-// most four influences that sum to one, an unlit double-sided material with the drawing embedded, one named
-// animation per clip.
+// most four influences that sum to one, an unlit double-sided material with the drawing embedded (of a solid: a lit one, and
+// normals), one named animation per clip.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -72,17 +72,23 @@ std::vector<std::uint32_t> triangulate(const Mesh& mesh) {
 }
 
 Json make_primitive(const Rig& rig, GlbBuffer& buffer) {
-    std::vector<float> positions, texture;
+    std::vector<float> positions, texture, directions;
+    std::vector<Vec3> places;
     Influences influences;
     for (std::size_t i = 0; i < rig.mesh.vertices.size(); ++i) {
         const double depth = i < rig.depth.size() ? rig.depth[i] : 0;
         const Vec3 v = to_world(rig.mesh.vertices[i], rig.width, rig.height, depth);
+        places.push_back(v);
         append(positions, {v.x, v.y, v.z});
         append(texture, {rig.texture[i].x, rig.texture[i].y});
         append_influences(rig.weights[i], influences);
     }
     Json attributes;
     attributes["POSITION"] = buffer.add_floats(positions, "VEC3", gltf_array_buffer, true);
+    if (rig.solid) {
+        for (const Vec3& n : vertex_normals(rig.mesh, places)) append(directions, {n.x, n.y, n.z});
+        attributes["NORMAL"] = buffer.add_floats(directions, "VEC3", gltf_array_buffer);
+    }
     attributes["TEXCOORD_0"] = buffer.add_floats(texture, "VEC2", gltf_array_buffer);
     attributes["JOINTS_0"] = buffer.add_joints(influences.joints);
     attributes["WEIGHTS_0"] = buffer.add_floats(influences.weights, "VEC4", gltf_array_buffer);
@@ -153,7 +159,11 @@ Json make_animation(const BoneAnimation& animation, const std::vector<Joint>& jo
     return {{"name", animation.name}, {"samplers", samplers}, {"channels", channels}};
 }
 
-Json make_material() {
+Json make_material(bool solid) {
+    if (solid)
+        return {{"name", "drawing"},
+                {"pbrMetallicRoughness",
+                 {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}, {"roughnessFactor", 1}}}};
     // MASK, not BLEND: overlapping limbs are sorted by depth in every viewer.
     return {{"name", "drawing"},
             {"pbrMetallicRoughness",
@@ -179,14 +189,14 @@ std::vector<unsigned char> to_glb(const Rig& rig, const RgbaImage& texture,
 
     Json gltf;
     gltf["asset"] = {{"version", "2.0"}, {"generator", "pantin " PANTIN_VERSION}};
-    gltf["extensionsUsed"] = Json::array({"KHR_materials_unlit"});
+    if (!rig.solid) gltf["extensionsUsed"] = Json::array({"KHR_materials_unlit"});
     gltf["scene"] = 0;
     gltf["scenes"] = Json::array({{{"name", "scene"}, {"nodes", {0, 1}}}});
     gltf["nodes"] = make_nodes(joints);
     gltf["meshes"] = Json::array({{{"name", "character"}, {"primitives", Json::array({primitive})}}});
     gltf["skins"] = Json::array({skin});
     if (!clips.empty()) gltf["animations"] = clips;
-    gltf["materials"] = Json::array({make_material()});
+    gltf["materials"] = Json::array({make_material(rig.solid)});
     gltf["textures"] = Json::array({{{"sampler", 0}, {"source", 0}}});
     gltf["images"] = Json::array({{{"name", "drawing"}, {"mimeType", "image/png"}, {"bufferView", image}}});
     // Linear with mipmaps, clamped to the edge.

@@ -45,15 +45,15 @@ std::vector<Joint> make_joints(const Rig& rig) {
     joints.push_back(place("root", -1, {}, {}, joints));
     std::vector<bool> leaf(rig.bones.size(), true);
     for (const Bone& bone : rig.bones) {
-        const Vec3 head = to_world(bone.head, rig.width, rig.height);
-        const Vec3 tail = to_world(bone.tail, rig.width, rig.height);
+        const Vec3 head = to_world(bone.head, rig.width, rig.height, bone.head_depth);
+        const Vec3 tail = to_world(bone.tail, rig.width, rig.height, bone.tail_depth);
         joints.push_back(
             place(bone.name, bone.parent + 1, head, from_up_to(tail.x - head.x, tail.y - head.y), joints));
         if (bone.parent >= 0) leaf[static_cast<std::size_t>(bone.parent)] = false;
     }
     for (std::size_t b = 0; b < rig.bones.size(); ++b) {
         if (!leaf[b]) continue;
-        const Vec3 tail = to_world(rig.bones[b].tail, rig.width, rig.height);
+        const Vec3 tail = to_world(rig.bones[b].tail, rig.width, rig.height, rig.bones[b].tail_depth);
         joints.push_back(
             place(rig.bones[b].name + ".end", static_cast<int>(b) + 1, tail, joints[b + 1].rest, joints));
     }

@@ -1,6 +1,7 @@
 // This work is based on: I. Baran, J. Popović, Automatic rigging and animation of 3D characters, 2007, section 4.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include <Eigen/SparseCholesky>
@@ -11,7 +12,7 @@
 namespace pantin {
 namespace {
 
-constexpr double heat = 1;            // c: the larger, the more the nearest bone counts
+constexpr double heat = 2;             // c: the larger, the more the nearest bone counts
 constexpr double same_distance = 1e-9; // of the mesh's size: bones so equally near share the heat
 constexpr double least_weight = 1e-4; // smaller influences are dropped
 
@@ -65,6 +66,16 @@ void add_surface(const SolidMesh& mesh, std::vector<Eigen::Triplet<double>>& ent
         }
 }
 
+// Four influences are left: what the fifth has is taken from all, so that weights stay continuous where one bone takes another's place.
+void keep_four(std::vector<double>& weights) {
+    if (weights.size() <= 4) return;
+    std::vector<double> sorted = weights;
+    std::nth_element(sorted.begin(), sorted.begin() + 4, sorted.end(), std::greater<>());
+    const double fifth = sorted[4];
+    if (*std::max_element(weights.begin(), weights.end()) <= fifth) return; // five equal ones: the first four stay
+    for (double& w : weights) w = std::max(w - fifth, 0.0);
+}
+
 } // namespace
 
 std::vector<VertexWeights> bone_heat(const SolidMesh& mesh, const std::vector<BoneSegment>& bones) {
@@ -91,6 +102,7 @@ std::vector<VertexWeights> bone_heat(const SolidMesh& mesh, const std::vector<Bo
     std::vector<double> row(bones.size());
     for (int v = 0; v < count; ++v) {
         for (int b = 0; b < bone_count; ++b) row[b] = sources(v, b) < least_weight ? 0 : std::min(sources(v, b), 1.0);
+        keep_four(row);
         weights.push_back(quantised(row));
     }
     return weights;

@@ -13,8 +13,9 @@ namespace {
 constexpr double margin = 0.03;              // of the longer side, around the model
 constexpr Point2d cabinet{-0.35, -0.2};      // shear of models with depth
 constexpr int drawing_scale = 2;             // pixels of the drawing to one of the labels
-constexpr double outline_depth = 0.02;       // of the model's size: such steps in depth are drawn as outlines
-constexpr Rgb8 ink{40, 40, 45}, paper{255, 255, 255};
+constexpr double shortest_limb = 0.1;        // of the picture's diagonal: shorter branches (eyes, toes) are no end-effectors
+constexpr double merge_distance = 5.0 / 321; // of the longer side: junctions so close become one, as in skeletonization
+constexpr Rgb8 paper{255, 255, 255};
 
 Rgb8 default_colour(Label label) {
     switch (label) {
@@ -110,6 +111,27 @@ std::vector<std::vector<int>> joined_neighbours(const ModelSkeleton& skeleton) {
     return neighbours;
 }
 
+// Takes away the shortest branch that ends, again and again, while it is short. Pixels are those of the joints.
+void prune_short(std::vector<std::vector<int>>& neighbours, const std::vector<Point2i>& pixels, double limit) {
+    for (;;) {
+        std::vector<int> shortest;
+        double least = limit;
+        for (const std::vector<int>& chain : chains_of(neighbours)) {
+            const bool front = neighbours[chain.front()].size() == 1, back = neighbours[chain.back()].size() == 1;
+            if (front == back) continue;
+            double size = 0;
+            for (std::size_t i = 1; i < chain.size(); ++i) size += distance(to_double(pixels[chain[i - 1]]), to_double(pixels[chain[i]]));
+            if (size >= least) continue;
+            least = size;
+            shortest = chain;
+            if (front) std::reverse(shortest.begin(), shortest.end());
+        }
+        if (shortest.empty()) return;
+        std::erase(neighbours[shortest[0]], shortest[1]);
+        for (std::size_t i = 1; i < shortest.size(); ++i) neighbours[shortest[i]].clear();
+    }
+}
+
 } // namespace
 
 Point2d project(const ModelView& view, Vec3 p) {
@@ -142,44 +164,34 @@ ModelPicture draw(Model& model, const ModelView& view) {
     const std::vector<ModelPart>& parts = model.parts();
     for (std::size_t i = 0; i < coarse.part.size(); ++i)
         if (const int part = coarse.part.data()[i]; part >= 0) picture.labels.data()[i] = static_cast<std::uint8_t>(label_of(parts[part]));
-    const double step = outline_depth * std::max(view.width, view.height) / view.scale;
-    const auto is_outline = [&](int x, int y) {
-        for (const auto& [dx, dy] : {std::pair{1, 0}, std::pair{0, 1}, std::pair{-1, 0}, std::pair{0, -1}}) {
-            const int other = fine.part.value_or(x + dx, y + dy, -1);
-            if (other != fine.part(x, y) && (other < 0 || fine.depth(x, y) - fine.depth(x + dx, y + dy) > step)) return true;
-        }
-        return false;
-    };
-    for (int y = 0; y < fine.part.height(); ++y)
-        for (int x = 0; x < fine.part.width(); ++x) {
-            const int part = fine.part(x, y);
-            if (part < 0) continue;
-            picture.drawing(x, y) = is_outline(x, y) ? ink : parts[part].stroke.colour.value_or(default_colour(label_of(parts[part])));
-        }
+    for (std::size_t i = 0; i < fine.part.size(); ++i)
+        if (const int part = fine.part.data()[i]; part >= 0)
+            picture.drawing.data()[i] = parts[part].stroke.colour.value_or(default_colour(label_of(parts[part])));
     return picture;
 }
 
 SkeletonGraph project_skeleton(const Model& model, const ModelView& view) {
     const ModelSkeleton& skeleton = model.skeleton();
-    const std::vector<std::vector<int>> neighbours = joined_neighbours(skeleton);
+    std::vector<Point2i> pixels;
+    for (const ModelSkeleton::Joint& joint : skeleton.joints) {
+        const Point2d p = project(view, joint.place);
+        pixels.push_back({std::clamp(static_cast<int>(std::floor(p.x + 0.5)), 0, view.width - 1),
+                          std::clamp(static_cast<int>(std::floor(p.y + 0.5)), 0, view.height - 1)});
+    }
+    std::vector<std::vector<int>> neighbours = joined_neighbours(skeleton);
+    prune_short(neighbours, pixels, shortest_limb * length(Point2d{1.0 * view.width, 1.0 * view.height}));
     SkeletonGraph graph;
     graph.width = view.width;
     graph.height = view.height;
-    const auto pixel_of = [&](int joint) {
-        const Point2d p = project(view, skeleton.joints[joint].place);
-        return Point2i{std::clamp(static_cast<int>(std::floor(p.x + 0.5)), 0, view.width - 1),
-                       std::clamp(static_cast<int>(std::floor(p.y + 0.5)), 0, view.height - 1)};
-    };
     std::vector<int> vertex(skeleton.joints.size(), -1);
     for (int j = 0; j < std::ssize(neighbours); ++j) {
-        if (neighbours[j].size() == 2) continue;
+        if (neighbours[j].empty() || neighbours[j].size() == 2) continue;
         vertex[j] = static_cast<int>(graph.vertices.size());
-        const Point2i p = pixel_of(j);
-        graph.vertices.push_back({static_cast<double>(p.x), static_cast<double>(p.y), label_of(model.parts()[skeleton.joints[j].part]), neighbours[j].size() == 1});
+        graph.vertices.push_back({1.0 * pixels[j].x, 1.0 * pixels[j].y, label_of(model.parts()[skeleton.joints[j].part]), neighbours[j].size() == 1});
     }
     for (const std::vector<int>& chain : chains_of(neighbours)) {
         SkeletonEdge edge{vertex[chain.front()], vertex[chain.back()], 0, {}};
-        for (std::size_t i = 1; i < chain.size(); ++i) draw_line(pixel_of(chain[i - 1]), pixel_of(chain[i]), edge.pixels);
+        for (std::size_t i = 1; i < chain.size(); ++i) draw_line(pixels[chain[i - 1]], pixels[chain[i]], edge.pixels);
         if (edge.u > edge.v) {
             std::swap(edge.u, edge.v);
             std::reverse(edge.pixels.begin(), edge.pixels.end());
@@ -187,7 +199,7 @@ SkeletonGraph project_skeleton(const Model& model, const ModelView& view) {
         edge.length = steps_length(edge.pixels);
         graph.edges.push_back(std::move(edge));
     }
-    return graph;
+    return apply_h2(graph, merge_distance * std::max(view.width, view.height));
 }
 
 } // namespace pantin

@@ -138,6 +138,19 @@ public:
         return std::move(strokes_);
     }
 
+    // The calls of another file, after those of `strokes`.
+    Strokes append_to(Strokes strokes) {
+        check_keys(root_, {"calls"});
+        strokes_ = std::move(strokes);
+        for (const ModelCall& call : strokes_.calls) {
+            if (const auto* part = std::get_if<PartStroke>(&call)) know(*part);
+            if (const auto* gone = std::get_if<RemovePart>(&call)) parts_.erase(gone->part);
+        }
+        first_part_ = strokes_.origin;
+        for (const JsonReader& item : root_.at("calls").elements()) read_call(item);
+        return std::move(strokes_);
+    }
+
 private:
     const JsonReader& root_;
     Strokes strokes_;
@@ -157,10 +170,13 @@ private:
         tidy_stroke(part.stroke, reader, place, strokes_.repairs);
         read_attributes(reader, part);
         if (!first_part_) first_part_ = middle_of(part.stroke);
+        know(part);
+        strokes_.calls.emplace_back(std::move(part));
+    }
+    void know(const PartStroke& part) {
         PartStroke& known = parts_[part.name];
         known.depth = part.depth;
         known.view = part.view;
-        strokes_.calls.emplace_back(std::move(part));
     }
     void read_attributes(const JsonReader& reader, PartStroke& part) const {
         if (reader.has("depth")) part.depth = reader.at("depth").number(-huge, huge);
@@ -334,6 +350,12 @@ Strokes strokes_from_json(const std::string& text, const std::string& file) {
     const Json json = parse_json(text, file);
     const JsonReader root(json, file);
     return StrokesReader(root).read();
+}
+
+Strokes with_calls(Strokes strokes, const std::string& text, const std::string& file) {
+    const Json json = parse_json(text, file);
+    const JsonReader root(json, file);
+    return StrokesReader(root).append_to(std::move(strokes));
 }
 
 std::string strokes_to_json(const Strokes& strokes) {

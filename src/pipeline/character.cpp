@@ -105,8 +105,26 @@ Rig rig_from_mapping(Character& character, Workshop& workshop, const std::filesy
     const bool mirrored = chosen != identification.candidates.end() && chosen->mirrored;
     const Mapping mapping =
         mapping_from_json(read_text(file), file.string(), skeleton_of(character), reference);
-    return rig_with_mapping(skeleton_of(character), labels_of(character), reference, mirrored, mapping,
-                            workshop.options().rigging);
+    return in_its_space(rig_with_mapping(skeleton_of(character), labels_of(character), reference, mirrored, mapping,
+                                         workshop.options().rigging),
+                        character, workshop);
+}
+
+const Solid* solid_of(Character& character, Workshop& workshop) {
+    std::error_code ignored;
+    if (!character.solid && std::filesystem::exists(character.folder / "strokes.json", ignored))
+        character.solid = std::make_shared<const Solid>(read_solid(character.folder, workshop.options().modeling));
+    return character.solid.get();
+}
+
+Rig in_its_space(Rig rig, Character& character, Workshop& workshop) {
+    const Solid* solid = solid_of(character, workshop);
+    return solid ? lifted(rig, solid->model, solid->mesh, solid->view) : std::move(rig);
+}
+
+RgbaImage texture_of(Character& character, Workshop& workshop) {
+    const RgbImage& drawing = drawing_of(character);
+    return solid_of(character, workshop) ? make_solid_texture(drawing, labels_of(character)) : make_texture(drawing, labels_of(character));
 }
 
 const Rig& rig_of(Character& character, Workshop& workshop) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 
+#include "pipeline/solid.hpp"
 #include "pipeline/workshop.hpp"
 
 namespace pantin {
@@ -17,6 +19,7 @@ struct Character {
     std::optional<Identification> identification;
     std::optional<ReferenceSkeleton> blended; // with --blend
     std::optional<Rig> rig;
+    std::shared_ptr<const Solid> solid; // of a model's folder
 };
 
 // What a step needs, read from the folder when it is not in memory. Error(input) names the file that is
@@ -31,6 +34,11 @@ const ReferenceSkeleton& reference_of(Character& character, Workshop& workshop);
 // Rigged anew from skeleton, labels, identification and mapping (a matter of milliseconds); the weights are
 // those of weights.txt, so that mapping and weights can be corrected by hand.
 const Rig& rig_of(Character& character, Workshop& workshop);
+// The model of a folder with strokes.json; null for a drawing.
+const Solid* solid_of(Character& character, Workshop& workshop);
+// A rig made from the pictures; of a model its bones in space and its surface.
+Rig in_its_space(Rig rig, Character& character, Workshop& workshop);
+RgbaImage texture_of(Character& character, Workshop& workshop);
 // Error(input): a label map has a value that is none; two pictures that belong together have different sizes.
 void check_labels(const LabelMap& labels, const std::filesystem::path& file);
 [[noreturn]] void fail_size(const std::filesystem::path& file, int width, int height, const std::string& other,

@@ -96,6 +96,20 @@ template <class Visitor> void visit_identification(IdentificationOptions& o, Vis
     visit("identification.use_ilp", o.use_ilp);
 }
 
+template <class Visitor> void visit_modeling(ModelOptions& o, Visitor& visit) {
+    visit("modeling.samples", o.skeleton.polygon.samples, 0, 100000);
+    visit("modeling.tolerance", o.skeleton.polygon.tolerance, 0, 1);
+    visit("modeling.first_collapse", o.skeleton.collapse, 0, 1);
+    visit("modeling.simplify", o.skeleton.threshold, 0.0001, 1.0);
+    visit("modeling.simplify_factor", o.skeleton.threshold_factor, 0.01, 0.99);
+    visit("modeling.shape_weight", o.skeleton.shape_weight, 0, 1000);
+    visit("modeling.prune", o.refinement.prune, 0, 10);
+    visit("modeling.merge", o.refinement.merge, 0, 10);
+    visit("modeling.collapse", o.refinement.collapse, 0, 10);
+    visit("modeling.longest_edge", o.inflation.longest_edge, 0.005, 1.0);
+    visit("modeling.cells_across", o.unite.cells_across, 8, 400);
+}
+
 template <class Visitor> void visit_rigging(RigOptions& o, Visitor& visit) {
     visit("rigging.samples", o.mapping.samples, 2, 10000);
     visit("rigging.alpha", o.mapping.alpha, 0, 1000);
@@ -125,6 +139,7 @@ template <class Visitor> void visit_options(Options& o, Visitor visit) {
     visit_skeletonization(o.skeletonization, visit);
     visit_identification(o.identification, visit);
     visit_rigging(o.rigging, visit);
+    visit_modeling(o.modeling, visit);
     visit("animation.samples", o.animation.samples, 2, 1000);
     visit("animation.motion_start", o.animation.motion_start, 0.0, 1e6);
     visit("animation.motion_seconds", o.animation.motion_seconds, 0.01, 600.0);

@@ -57,7 +57,7 @@ void run_render(Character& character, Workshop& workshop) {
     const Rig& rig = rig_of(character, workshop);
     const ReferenceSkeleton& reference = reference_of(character, workshop);
     const std::vector<BoneAnimation> all = animations_of(rig, reference, workshop);
-    const RgbaImage texture = make_texture(drawing_of(character), labels_of(character));
+    const RgbaImage texture = texture_of(character, workshop);
     const std::string motion = workshop.motion() ? workshop.motion()->motion.name : "";
     for (const BoneAnimation& animation : chosen(all, reference.name, settings.render.clip)) {
         const bool first = animation.name == all.front().name;

@@ -48,11 +48,12 @@ void run_rig(Character& character, Workshop& workshop) {
     const Identification& identification = identification_of(character, workshop);
     const ReferenceSkeleton& reference = reference_of(character, workshop);
     const std::filesystem::path& mapping = workshop.settings().mapping;
-    Rig result = mapping.empty() ? rig(skeleton_of(character), labels_of(character), identification, {reference},
-                                       workshop.options().rigging)
+    Rig result = mapping.empty() ? in_its_space(rig(skeleton_of(character), labels_of(character), identification, {reference},
+                                                    workshop.options().rigging),
+                                                character, workshop)
                                  : rig_from_mapping(character, workshop, mapping);
     const std::vector<BoneAnimation> animations = animations_of(result, reference, workshop);
-    const RgbaImage texture = make_texture(drawing_of(character), labels_of(character));
+    const RgbaImage texture = texture_of(character, workshop);
 
     const std::filesystem::path& folder = character.folder;
     write_file(folder / "mapping.json", mapping_to_json(result.mapping));

@@ -1,0 +1,94 @@
+// pantin model: strokes, or the parts of a scanned drawing, to a model's folder.
+#include <algorithm>
+
+#include "core/file.hpp"
+#include "pantin/export.hpp"
+#include "pantin/image.hpp"
+#include "pipeline/character.hpp"
+#include "pipeline/json_files.hpp"
+#include "pipeline/solid.hpp"
+
+namespace pantin {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// What is known before the model is built.
+struct Source {
+    Strokes strokes;
+    std::optional<ModelPicture> picture; // of a scanned drawing, with the view that shows it as it is
+};
+
+Source from_character(const fs::path& folder) {
+    Character character;
+    character.folder = folder;
+    const LabelMap& labels = labels_of(character);
+    return {strokes_from_labels(labels), ModelPicture{drawing_of(character), labels}};
+}
+
+Strokes from_file(const fs::path& file) {
+    const std::string text = read_text(file);
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    if (ending == ".svg") return strokes_from_svg(text, file.string());
+    if (ending == ".json") return strokes_from_json(text, file.string());
+    throw Error(ErrorKind::input, file.string() + ": must be a .json or .svg file of strokes, or a character's folder");
+}
+
+Source source_of(const fs::path& input) {
+    std::error_code ignored;
+    if (fs::is_directory(input, ignored)) return from_character(input);
+    return {from_file(input), std::nullopt};
+}
+
+Model build(const Strokes& strokes, const std::string& name, const ModelOptions& options) {
+    try {
+        return Model(strokes, options);
+    } catch (const Error& error) {
+        throw Error(error.kind(), name + ": " + error.what());
+    }
+}
+
+} // namespace
+
+void model_folder(const fs::path& input, const fs::path& out, const fs::path& calls, const Settings& settings) {
+    const auto progress = [&](const char* what, double share) {
+        if (settings.progress) settings.progress(what, share);
+    };
+    progress("strokes", 0);
+    Source source = source_of(input);
+    if (!calls.empty()) source.strokes = with_calls(std::move(source.strokes), read_text(calls), calls.string());
+    progress("model", 0.1);
+    Model model = build(source.strokes, input.string(), settings.options.modeling);
+    progress("union", 0.3);
+    const SolidMesh mesh = model.united();
+    ModelView view;
+    if (source.picture) {
+        view.width = source.picture->labels.width();
+        view.height = source.picture->labels.height();
+    } else {
+        view = view_of(model, mesh);
+        source.picture = draw(model, view);
+    }
+    progress("weights", 0.6);
+    const Rig rig = model_rig(model, mesh, view);
+    const RgbaImage texture = make_solid_texture(source.picture->drawing, source.picture->labels);
+    if (settings.notice) {
+        for (const std::string& repair : source.strokes.repairs) settings.notice(input.string() + ": " + repair);
+        for (const std::string& repair : model.repairs()) settings.notice(input.string() + ": " + repair);
+    }
+    progress("files", 0.9);
+    create_folder(out);
+    write_file(out / "strokes.json", strokes_to_json(source.strokes));
+    write_file(out / "model.json", model_to_json(model, view));
+    write_file(out / "model.obj", to_obj(rig, "model.mtl"));
+    write_file(out / "model.mtl", to_mtl("drawing.png"));
+    write_file(out / "model.glb", to_glb(rig, texture, {}));
+    save_png(out / "drawing.png", source.picture->drawing);
+    save_png(out / "labels.png", source.picture->labels);
+    save_png(out / "mask.png", to_grey(foreground(source.picture->labels)));
+    write_file(out / "skeleton.json", skeleton_to_json(project_skeleton(model, view)));
+}
+
+} // namespace pantin

@@ -1,0 +1,77 @@
+#include "pipeline/solid.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "core/file.hpp"
+#include "core/json.hpp"
+#include "core/json_reader.hpp"
+
+namespace pantin {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int largest_side = 16384;
+constexpr double huge = 1e15;
+
+Json part_to_json(const Model& model, std::size_t index) {
+    const ModelPart& part = model.parts()[index];
+    const Attachment& attachment = model.connection().attachments[index];
+    Json json;
+    json["name"] = part.name();
+    json["label"] = name_of(part.stroke.label != Label::background ? part.stroke.label : label_of_part(part.stroke.name));
+    if (part.parent < 0) {
+        json["event"] = "root";
+    } else {
+        json["parent"] = model.parts()[part.parent].name();
+        json["event"] = attachment.split ? "bone split" : "joint connect";
+    }
+    json["branches"] = part.flat.branches.size();
+    return json;
+}
+
+} // namespace
+
+std::string model_to_json(const Model& model, const ModelView& view) {
+    Json json;
+    json["view"] = {{"width", view.width}, {"height", view.height}, {"scale", view.scale},
+                    {"offset", {view.offset.x, view.offset.y}}, {"shear", {view.shear.x, view.shear.y}}};
+    json["parts"] = Json::array();
+    for (std::size_t p = 0; p < model.parts().size(); ++p) json["parts"].push_back(part_to_json(model, p));
+    json["joints"] = Json::array();
+    for (const ModelSkeleton::Joint& joint : model.skeleton().joints) {
+        Json j;
+        j["place"] = {joint.place.x, joint.place.y, joint.place.z};
+        j["radius"] = joint.radius;
+        j["part"] = model.parts()[joint.part].name();
+        if (joint.parent >= 0) j["parent"] = joint.parent;
+        json["joints"].push_back(j);
+    }
+    json["repairs"] = model.repairs();
+    return to_json_text(json);
+}
+
+ModelView view_from_json(const std::string& text, const std::string& file) {
+    const Json json = parse_json(text, file);
+    const JsonReader reader = JsonReader(json, file).at("view");
+    ModelView view;
+    view.width = static_cast<int>(reader.at("width").integer(1, largest_side));
+    view.height = static_cast<int>(reader.at("height").integer(1, largest_side));
+    view.scale = reader.at("scale").number(1e-12, huge);
+    const auto pair = [&](const char* key) {
+        const std::vector<JsonReader> xy = reader.at(key).elements(2, 2);
+        return Point2d{xy[0].number(-huge, huge), xy[1].number(-huge, huge)};
+    };
+    view.offset = pair("offset");
+    view.shear = pair("shear");
+    return view;
+}
+
+Solid read_solid(const std::filesystem::path& folder, const ModelOptions& options) {
+    const std::filesystem::path strokes = folder / "strokes.json", file = folder / "model.json";
+    Model model(strokes_from_json(read_text(strokes), strokes.string()), options);
+    SolidMesh mesh = model.united();
+    return {std::move(model), std::move(mesh), view_from_json(read_text(file), file.string())};
+}
+
+} // namespace pantin
