@@ -38,6 +38,7 @@ Inflation inflate(const std::vector<Point2d>& stroke, const InflationOptions& op
 struct SolidMesh {
     std::vector<Vec3> vertices;
     std::vector<std::array<int, 3>> triangles; // counter-clockwise from outside
+    std::vector<int> parts;                    // of unite(): the part that each vertex lies on
 };
 // Of the canvas into the model: a point (x, y) at depth d lies at origin + x · right + y · down + d · out. Right, down and out are
 // orthogonal and of one length; mirrored copies have the other handedness.

@@ -35,9 +35,15 @@ ModelPicture draw(Model& model, const ModelView& view);
 // Ends and junctions with the chains between them. Trees that are not connected are joined where they are nearest.
 SkeletonGraph project_skeleton(const Model& model, const ModelView& view);
 
+Label label_of(const ModelPart& part); // given, or else from the name
+Rgb8 colour_of(const ModelPart& part); // given, or else one of its label
+// Per vertex of a united mesh.
+std::vector<Rgb8> part_colours(const Model& model, const SolidMesh& mesh);
+
+// `colours`: per vertex; none: the picture is projected on.
 // The model with its own bones: one for each joint but the roots, from its parent to it, named after its part.
-Rig model_rig(const Model& model, const SolidMesh& mesh, const ModelView& view);
+Rig model_rig(const Model& model, const SolidMesh& mesh, const ModelView& view, const std::vector<Rgb8>& colours = {});
 // The rig of the picture in space: the same bones, each where the model's skeleton runs, on the model's surface.
-Rig lifted(const Rig& flat, const Model& model, const SolidMesh& mesh, const ModelView& view);
+Rig lifted(const Rig& flat, const Model& model, const SolidMesh& mesh, const ModelView& view, const std::vector<Rgb8>& colours = {});
 
 } // namespace pantin

@@ -131,6 +131,7 @@ struct Rig {
     std::vector<VertexWeights> weights; // per mesh vertex
     std::vector<Point2d> texture;       // per mesh vertex, [0, 1] inside the crop, v down
     std::vector<double> depth; // per mesh vertex, z at rest in world units: small offsets for the draw order
+    std::vector<Rgb8> colours; // per mesh vertex, of a solid that no drawing is projected on; else empty
     bool solid = false; // a closed surface in 3D (modeling), which is lit; else a flat drawing, which is not
 };
 // Throws CharacterRejected("rig", …) when no end-effector can be mapped.

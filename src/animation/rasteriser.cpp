@@ -45,6 +45,7 @@ struct ScreenVertex {
     double z = 0;               // larger is nearer
     double w = 1, u = 0, v = 0; // u and v are divided by depth
     double light = 1;           // brightness, 0 to 1
+    Rgb8 colour;                // of solids without a texture
 };
 
 class Projection {
@@ -158,7 +159,8 @@ public:
         }
     }
 
-    void draw(ScreenVertex a, ScreenVertex b, ScreenVertex c, const Sampler& sampler) {
+    // Without a sampler the vertices' colours are used.
+    void draw(ScreenVertex a, ScreenVertex b, ScreenVertex c, const Sampler* sampler) {
         const Span rows = sample_range(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), first_row_,
                                        first_row_ + colour_.height());
         if (rows.begin >= rows.end) return;
@@ -238,17 +240,23 @@ private:
     }
 
     void shade(int x, int y, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, double p,
-               double q, const Sampler& sampler) {
+               double q, const Sampler* sampler) {
         const double r = 1 - p - q;
         const auto z = static_cast<float>(p * a.z + q * b.z + r * c.z);
         if (z <= depth_(x, y)) return;
         const double w = p * a.w + q * b.w + r * c.w;
-        const Rgba8 texel = sampler((p * a.u + q * b.u + r * c.u) / w, (p * a.v + q * b.v + r * c.v) / w);
+        const Rgba8 texel = sampler ? (*sampler)((p * a.u + q * b.u + r * c.u) / w, (p * a.v + q * b.v + r * c.v) / w)
+                                    : mixed(a.colour, b.colour, c.colour, p, q, r);
         if (texel.a < 128) return;
         depth_(x, y) = z;
         const double light = p * a.light + q * b.light + r * c.light;
         const auto lit = [light](std::uint8_t value) { return static_cast<std::uint8_t>(light * value + 0.5); };
         colour_(x, y) = light == 1 ? Rgba8{texel.r, texel.g, texel.b, 255} : Rgba8{lit(texel.r), lit(texel.g), lit(texel.b), 255};
+    }
+
+    static Rgba8 mixed(Rgb8 a, Rgb8 b, Rgb8 c, double p, double q, double r) {
+        const auto mix = [=](std::uint8_t u, std::uint8_t v, std::uint8_t w) { return static_cast<std::uint8_t>(p * u + q * v + r * w + 0.5); };
+        return {mix(a.r, b.r, c.r), mix(a.g, b.g, c.g), mix(a.b, b.b, c.b), 255};
     }
 
     Rgba8 mean_of_samples(int x, int y, int supersampling, Rgba8 background) const {
@@ -308,8 +316,10 @@ RgbaImage FrameRenderer::operator()(const std::vector<Vec3>& vertices) const {
     for (std::size_t v = 0; v < vertices.size(); ++v) screen.push_back(project(vertices[v], rig.texture[v]));
     if (rig.solid) {
         const std::vector<Vec3> normals = vertex_normals(rig.mesh, vertices);
-        for (std::size_t v = 0; v < vertices.size(); ++v)
+        for (std::size_t v = 0; v < vertices.size(); ++v) {
+            if (!rig.colours.empty()) screen[v].colour = rig.colours[v];
             screen[v].light = ambient + (1 - ambient) * std::clamp(dot(normals[v], to_light), 0.0, 1.0);
+        }
     }
     // A background without alpha is empty, as the mean of its samples would make it.
     RgbaImage image(frame.width, frame.height, options.background.a == 0 ? Rgba8{0, 0, 0, 0} : options.background);
@@ -319,7 +329,7 @@ RgbaImage FrameRenderer::operator()(const std::vector<Vec3>& vertices) const {
         rasteriser.begin_band(y * options.supersampling);
         for (const std::vector<int>& face : rig.mesh.faces)
             for (std::size_t i = 1; i + 1 < face.size(); ++i)
-                rasteriser.draw(screen[face[0]], screen[face[i]], screen[face[i + 1]], sampler);
+                rasteriser.draw(screen[face[0]], screen[face[i]], screen[face[i + 1]], rig.colours.empty() ? &sampler : nullptr);
         rasteriser.resolve(image, options.supersampling, options.background);
     }
     return image;

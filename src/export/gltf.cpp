@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/json.hpp"
+#include "core/math.hpp"
 #include "export/glb_buffer.hpp"
 #include "export/joints.hpp"
 #include "pantin/export.hpp"
@@ -29,6 +30,12 @@ Json rounded(std::initializer_list<double> values) {
 }
 void append(std::vector<float>& to, std::initializer_list<double> values) {
     for (const double value : values) to.push_back(to_float(value));
+}
+
+// IEC 61966-2-1: sRGB to linear light, which vertex colours are given in.
+double linear(std::uint8_t value) {
+    const double x = value / 255.0;
+    return x <= 0.04045 ? x / 12.92 : math::pow((x + 0.055) / 1.055, 2.4);
 }
 
 struct Influences {
@@ -89,7 +96,13 @@ Json make_primitive(const Rig& rig, GlbBuffer& buffer) {
         for (const Vec3& n : vertex_normals(rig.mesh, places)) append(directions, {n.x, n.y, n.z});
         attributes["NORMAL"] = buffer.add_floats(directions, "VEC3", gltf_array_buffer);
     }
-    attributes["TEXCOORD_0"] = buffer.add_floats(texture, "VEC2", gltf_array_buffer);
+    if (rig.colours.empty()) {
+        attributes["TEXCOORD_0"] = buffer.add_floats(texture, "VEC2", gltf_array_buffer);
+    } else {
+        std::vector<float> colours;
+        for (const Rgb8& c : rig.colours) append(colours, {linear(c.r), linear(c.g), linear(c.b)});
+        attributes["COLOR_0"] = buffer.add_floats(colours, "VEC3", gltf_array_buffer);
+    }
     attributes["JOINTS_0"] = buffer.add_joints(influences.joints);
     attributes["WEIGHTS_0"] = buffer.add_floats(influences.weights, "VEC4", gltf_array_buffer);
     const int indices = buffer.add_indices(triangulate(rig.mesh));
@@ -159,8 +172,9 @@ Json make_animation(const BoneAnimation& animation, const std::vector<Joint>& jo
     return {{"name", animation.name}, {"samplers", samplers}, {"channels", channels}};
 }
 
-Json make_material(bool solid) {
-    if (solid)
+Json make_material(const Rig& rig) {
+    if (!rig.colours.empty()) return {{"name", "colours"}, {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}};
+    if (rig.solid)
         return {{"name", "drawing"},
                 {"pbrMetallicRoughness",
                  {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}, {"roughnessFactor", 1}}}};
@@ -185,7 +199,8 @@ std::vector<unsigned char> to_glb(const Rig& rig, const RgbaImage& texture,
     Json clips = Json::array();
     for (const BoneAnimation& animation : animations)
         clips.push_back(make_animation(animation, joints, buffer));
-    const int image = buffer.add_bytes(encode_png(texture)); // last: its length is the encoder's
+    const bool textured = rig.colours.empty();
+    const int image = textured ? buffer.add_bytes(encode_png(texture)) : -1; // last: its length is the encoder's
 
     Json gltf;
     gltf["asset"] = {{"version", "2.0"}, {"generator", "pantin " PANTIN_VERSION}};
@@ -196,12 +211,14 @@ std::vector<unsigned char> to_glb(const Rig& rig, const RgbaImage& texture,
     gltf["meshes"] = Json::array({{{"name", "character"}, {"primitives", Json::array({primitive})}}});
     gltf["skins"] = Json::array({skin});
     if (!clips.empty()) gltf["animations"] = clips;
-    gltf["materials"] = Json::array({make_material(rig.solid)});
-    gltf["textures"] = Json::array({{{"sampler", 0}, {"source", 0}}});
-    gltf["images"] = Json::array({{{"name", "drawing"}, {"mimeType", "image/png"}, {"bufferView", image}}});
-    // Linear with mipmaps, clamped to the edge.
-    gltf["samplers"] =
-        Json::array({{{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", 33071}, {"wrapT", 33071}}});
+    gltf["materials"] = Json::array({make_material(rig)});
+    if (textured) {
+        gltf["textures"] = Json::array({{{"sampler", 0}, {"source", 0}}});
+        gltf["images"] = Json::array({{{"name", "drawing"}, {"mimeType", "image/png"}, {"bufferView", image}}});
+        // Linear with mipmaps, clamped to the edge.
+        gltf["samplers"] =
+            Json::array({{{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", 33071}, {"wrapT", 33071}}});
+    }
     gltf["accessors"] = buffer.accessors();
     gltf["bufferViews"] = buffer.views();
     gltf["buffers"] = Json::array({{{"byteLength", buffer.bytes().size()}}});

@@ -4,6 +4,7 @@
 // of the parts. Faces of the rig run clockwise on the screen; here they run counter-clockwise, so that they
 // face +z.
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/decimal.hpp"
@@ -16,7 +17,10 @@ namespace {
 std::string vertex_line(const Rig& rig, std::size_t i) {
     const double depth = i < rig.depth.size() ? rig.depth[i] : 0;
     const Vec3 v = to_world(rig.mesh.vertices[i], rig.width, rig.height, depth);
-    return "v " + to_decimal(v.x) + " " + to_decimal(v.y) + " " + to_decimal(v.z) + "\n";
+    std::string line = "v " + to_decimal(v.x) + " " + to_decimal(v.y) + " " + to_decimal(v.z);
+    if (!rig.colours.empty()) // of the vertex, sRGB, as MeshLab and Blender read it
+        for (const std::uint8_t c : {rig.colours[i].r, rig.colours[i].g, rig.colours[i].b}) line += " " + to_decimal(std::rint(c / 255.0 * 1000) / 1000);
+    return line + "\n";
 }
 
 std::string face_line(const std::vector<int>& face) {

@@ -17,21 +17,6 @@ constexpr double shortest_limb = 0.1;        // of the picture's diagonal: short
 constexpr double merge_distance = 5.0 / 321; // of the longer side: junctions so close become one, as in skeletonization
 constexpr Rgb8 paper{255, 255, 255};
 
-Rgb8 default_colour(Label label) {
-    switch (label) {
-    case Label::head: return {240, 196, 150};
-    case Label::body: return {226, 170, 120};
-    case Label::limb: return {214, 152, 104};
-    case Label::tail: return {200, 138, 92};
-    case Label::wing: return {170, 196, 226};
-    default: return {210, 210, 210};
-    }
-}
-
-Label label_of(const ModelPart& part) {
-    return part.stroke.label != Label::background ? part.stroke.label : label_of_part(part.stroke.name);
-}
-
 // Which part is seen at each pixel, and how near.
 struct DepthPicture {
     Grid<int> part;
@@ -132,7 +117,24 @@ void prune_short(std::vector<std::vector<int>>& neighbours, const std::vector<Po
     }
 }
 
+Rgb8 default_colour(Label label) {
+    switch (label) {
+    case Label::head: return {240, 196, 150};
+    case Label::body: return {226, 170, 120};
+    case Label::limb: return {214, 152, 104};
+    case Label::tail: return {200, 138, 92};
+    case Label::wing: return {170, 196, 226};
+    default: return {210, 210, 210};
+    }
+}
+
 } // namespace
+
+Label label_of(const ModelPart& part) {
+    return part.stroke.label != Label::background ? part.stroke.label : label_of_part(part.stroke.name);
+}
+
+Rgb8 colour_of(const ModelPart& part) { return part.stroke.colour.value_or(default_colour(label_of(part))); }
 
 Point2d project(const ModelView& view, Vec3 p) {
     return view.offset + view.scale * Point2d{p.x + view.shear.x * p.z, -(p.y + view.shear.y * p.z)};
@@ -166,7 +168,7 @@ ModelPicture draw(Model& model, const ModelView& view) {
         if (const int part = coarse.part.data()[i]; part >= 0) picture.labels.data()[i] = static_cast<std::uint8_t>(label_of(parts[part]));
     for (std::size_t i = 0; i < fine.part.size(); ++i)
         if (const int part = fine.part.data()[i]; part >= 0)
-            picture.drawing.data()[i] = parts[part].stroke.colour.value_or(default_colour(label_of(parts[part])));
+            picture.drawing.data()[i] = colour_of(parts[part]);
     return picture;
 }
 

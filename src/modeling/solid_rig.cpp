@@ -38,7 +38,8 @@ struct Straight {
 };
 
 // Mesh, texture coordinates and weights of a rig whose bones are there.
-void add_surface(Rig& rig, const SolidMesh& mesh, const ModelView& view, const std::vector<BoneSegment>& segments) {
+void add_surface(Rig& rig, const SolidMesh& mesh, const ModelView& view, const std::vector<BoneSegment>& segments,
+                 const std::vector<Rgb8>& colours) {
     const Straight straight{view};
     rig.width = view.width;
     rig.height = view.height;
@@ -52,6 +53,7 @@ void add_surface(Rig& rig, const SolidMesh& mesh, const ModelView& view, const s
         const Point2d seen = project(view, v);
         rig.texture.push_back({std::clamp((seen.x + 0.5) / view.width, 0.0, 1.0), std::clamp((seen.y + 0.5) / view.height, 0.0, 1.0)});
     }
+    rig.colours = colours;
     for (const auto& [a, b, c] : mesh.triangles) rig.mesh.faces.push_back({a, c, b});
     rig.weights = bone_heat(mesh, segments);
 }
@@ -64,7 +66,13 @@ void place(Bone& bone, Vec3 head, Vec3 tail, const ModelView& view) {
 
 } // namespace
 
-Rig model_rig(const Model& model, const SolidMesh& mesh, const ModelView& view) {
+std::vector<Rgb8> part_colours(const Model& model, const SolidMesh& mesh) {
+    std::vector<Rgb8> colours;
+    for (const int part : mesh.parts) colours.push_back(colour_of(model.parts()[part]));
+    return colours;
+}
+
+Rig model_rig(const Model& model, const SolidMesh& mesh, const ModelView& view, const std::vector<Rgb8>& colours) {
     const ModelSkeleton& skeleton = model.skeleton();
     Rig rig;
     std::vector<BoneSegment> segments;
@@ -82,18 +90,18 @@ Rig model_rig(const Model& model, const SolidMesh& mesh, const ModelView& view) 
         Bone bone;
         bone.name = root ? "hips" : part.name();
         if (const int number = used[bone.name]++; number > 0) bone.name += "." + std::to_string(number);
-        bone.label = part.stroke.label != Label::background ? part.stroke.label : label_of_part(part.stroke.name);
+        bone.label = label_of(part);
         bone.parent = root ? -1 : bone_of[joint.parent];
         place(bone, parent.place, joint.place, view);
         bone_of[j] = static_cast<int>(rig.bones.size());
         rig.bones.push_back(bone);
         segments.push_back({parent.place, joint.place, 0.5 * (parent.radius + joint.radius)});
     }
-    add_surface(rig, mesh, view, segments);
+    add_surface(rig, mesh, view, segments, colours);
     return rig;
 }
 
-Rig lifted(const Rig& flat, const Model& model, const SolidMesh& mesh, const ModelView& view) {
+Rig lifted(const Rig& flat, const Model& model, const SolidMesh& mesh, const ModelView& view, const std::vector<Rgb8>& colours) {
     Rig rig = flat;
     std::vector<BoneSegment> segments;
     for (Bone& bone : rig.bones) {
@@ -101,7 +109,7 @@ Rig lifted(const Rig& flat, const Model& model, const SolidMesh& mesh, const Mod
         place(bone, head.place, tail.place, view);
         segments.push_back({head.place, tail.place, 0.5 * (head.radius + tail.radius)});
     }
-    add_surface(rig, mesh, view, segments);
+    add_surface(rig, mesh, view, segments, colours);
     return rig;
 }
 

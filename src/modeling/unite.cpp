@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "modeling/part_field.hpp"
 #include "modeling/tetrahedra.hpp"
@@ -49,12 +50,15 @@ SolidMesh unite(const std::vector<InflatedPart>& parts, const UnionOptions& opti
     TetrahedraLattice lattice(box.low, box.high, cell);
     for (const PartField& field : fields)
         lattice.each(field.box().low, field.box().high, [&](Vec3 p, double& value) { value = std::min(value, field(p)); });
-    return lattice.surface([&](Vec3 p) {
-        double least = std::numeric_limits<double>::infinity();
-        for (const PartField& field : fields)
-            if (field.box().holds(p)) least = std::min(least, field(p));
-        return least;
-    });
+    const auto nearest = [&](Vec3 p) { // how far, and which part
+        std::pair<double, int> best{std::numeric_limits<double>::infinity(), 0};
+        for (std::size_t f = 0; f < fields.size(); ++f)
+            if (fields[f].box().holds(p)) best = std::min(best, {fields[f](p), static_cast<int>(f)});
+        return best;
+    };
+    SolidMesh mesh = lattice.surface([&](Vec3 p) { return nearest(p).first; });
+    for (const Vec3& v : mesh.vertices) mesh.parts.push_back(nearest(v).second);
+    return mesh;
 }
 
 } // namespace pantin

@@ -119,7 +119,7 @@ const Solid* solid_of(Character& character, Workshop& workshop) {
 
 Rig in_its_space(Rig rig, Character& character, Workshop& workshop) {
     const Solid* solid = solid_of(character, workshop);
-    return solid ? lifted(rig, solid->model, solid->mesh, solid->view) : std::move(rig);
+    return solid ? lifted(rig, solid->model, solid->mesh, solid->view, solid->colours) : std::move(rig);
 }
 
 RgbaImage texture_of(Character& character, Workshop& workshop) {

@@ -6,6 +6,7 @@
 #include "pantin/image.hpp"
 #include "pipeline/character.hpp"
 #include "pipeline/json_files.hpp"
+#include "pipeline/model_sheet.hpp"
 #include "pipeline/solid.hpp"
 
 namespace pantin {
@@ -64,7 +65,8 @@ void model_folder(const fs::path& input, const fs::path& out, const fs::path& ca
     progress("union", 0.3);
     const SolidMesh mesh = model.united();
     ModelView view;
-    if (source.picture) {
+    const bool projected = source.picture.has_value();
+    if (projected) {
         view.width = source.picture->labels.width();
         view.height = source.picture->labels.height();
     } else {
@@ -72,7 +74,7 @@ void model_folder(const fs::path& input, const fs::path& out, const fs::path& ca
         source.picture = draw(model, view);
     }
     progress("weights", 0.6);
-    const Rig rig = model_rig(model, mesh, view);
+    const Rig rig = model_rig(model, mesh, view, projected ? std::vector<Rgb8>{} : part_colours(model, mesh));
     const RgbaImage texture = make_solid_texture(source.picture->drawing, source.picture->labels);
     if (settings.notice) {
         for (const std::string& repair : source.strokes.repairs) settings.notice(input.string() + ": " + repair);
@@ -81,10 +83,11 @@ void model_folder(const fs::path& input, const fs::path& out, const fs::path& ca
     progress("files", 0.9);
     create_folder(out);
     write_file(out / "strokes.json", strokes_to_json(source.strokes));
-    write_file(out / "model.json", model_to_json(model, view));
+    write_file(out / "model.json", model_to_json(model, view, projected));
     write_file(out / "model.obj", to_obj(rig, "model.mtl"));
     write_file(out / "model.mtl", to_mtl("drawing.png"));
     write_file(out / "model.glb", to_glb(rig, texture, {}));
+    save_png(out / "views.png", model_sheet(rig, texture, model, view));
     save_png(out / "drawing.png", source.picture->drawing);
     save_png(out / "labels.png", source.picture->labels);
     save_png(out / "mask.png", to_grey(foreground(source.picture->labels)));

@@ -19,7 +19,7 @@ Json part_to_json(const Model& model, std::size_t index) {
     const Attachment& attachment = model.connection().attachments[index];
     Json json;
     json["name"] = part.name();
-    json["label"] = name_of(part.stroke.label != Label::background ? part.stroke.label : label_of_part(part.stroke.name));
+    json["label"] = name_of(label_of(part));
     if (part.parent < 0) {
         json["event"] = "root";
     } else {
@@ -32,10 +32,11 @@ Json part_to_json(const Model& model, std::size_t index) {
 
 } // namespace
 
-std::string model_to_json(const Model& model, const ModelView& view) {
+std::string model_to_json(const Model& model, const ModelView& view, bool projected) {
     Json json;
     json["view"] = {{"width", view.width}, {"height", view.height}, {"scale", view.scale},
                     {"offset", {view.offset.x, view.offset.y}}, {"shear", {view.shear.x, view.shear.y}}};
+    json["texture"] = projected ? "drawing" : "parts";
     json["parts"] = Json::array();
     for (std::size_t p = 0; p < model.parts().size(); ++p) json["parts"].push_back(part_to_json(model, p));
     json["joints"] = Json::array();
@@ -51,7 +52,7 @@ std::string model_to_json(const Model& model, const ModelView& view) {
     return to_json_text(json);
 }
 
-ModelView view_from_json(const std::string& text, const std::string& file) {
+SeenFrom view_from_json(const std::string& text, const std::string& file) {
     const Json json = parse_json(text, file);
     const JsonReader reader = JsonReader(json, file).at("view");
     ModelView view;
@@ -64,14 +65,19 @@ ModelView view_from_json(const std::string& text, const std::string& file) {
     };
     view.offset = pair("offset");
     view.shear = pair("shear");
-    return view;
+    const JsonReader texture = JsonReader(json, file).at("texture");
+    if (texture.text() != "drawing" && texture.text() != "parts") texture.fail("must be drawing or parts");
+    return {view, texture.text() == "drawing"};
 }
 
 Solid read_solid(const std::filesystem::path& folder, const ModelOptions& options) {
     const std::filesystem::path strokes = folder / "strokes.json", file = folder / "model.json";
     Model model(strokes_from_json(read_text(strokes), strokes.string()), options);
     SolidMesh mesh = model.united();
-    return {std::move(model), std::move(mesh), view_from_json(read_text(file), file.string())};
+    const SeenFrom seen = view_from_json(read_text(file), file.string());
+    std::vector<Rgb8> colours;
+    if (!seen.projected) colours = part_colours(model, mesh);
+    return {std::move(model), std::move(mesh), seen.view, std::move(colours)};
 }
 
 } // namespace pantin

@@ -11,11 +11,16 @@ struct Solid {
     Model model;
     SolidMesh mesh;
     ModelView view;
+    std::vector<Rgb8> colours; // none: the drawing is projected on (a scanned character)
 };
 // From strokes.json and the view of model.json. Error(input).
 Solid read_solid(const std::filesystem::path& folder, const ModelOptions& options);
 
-std::string model_to_json(const Model& model, const ModelView& view);
-ModelView view_from_json(const std::string& text, const std::string& file);
+std::string model_to_json(const Model& model, const ModelView& view, bool projected);
+struct SeenFrom {
+    ModelView view;
+    bool projected = false; // the drawing is the texture
+};
+SeenFrom view_from_json(const std::string& text, const std::string& file);
 
 } // namespace pantin
