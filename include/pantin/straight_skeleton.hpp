@@ -28,7 +28,8 @@ struct StraightSkeleton {
 // a straight line between their neighbours are left out. Coordinates of any size; lengths below 1e-9 of the diagonal count as zero.
 // Events are taken in the order of time, then edge events before split events, then of their edges' numbers.
 // Error(input) when a loop has fewer than three corners left or an area of zero, or a coordinate is not a number.
-// Time: events · log(events) for the edge events; every reflex corner looks at all edges once.
+// Time: about n log n for n corners, by an index of the moving edges; more, up to about n^1.5, for thousands of needle-thin spikes, and
+// n² where a good part of all corners meets at one place, as in regular stars. Loops that cross get a result in several attempts.
 StraightSkeleton straight_skeleton(const std::vector<std::vector<Point2d>>& loops);
 
 } // namespace pantin

@@ -1,7 +1,9 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -155,6 +157,40 @@ Loop tangled(Random& random, int n) {
     return loop;
 }
 
+// A slab with cuts of random depth into it, all of them facing one long edge.
+Loop slits(Random& random, int cuts) {
+    Loop loop = {{0, -1}, {2.0 * cuts + 1, -1}};
+    for (int i = cuts; i >= 0; --i) {
+        const double height = random.uniform(1, 5);
+        loop.push_back({2.0 * i + 1, height});
+        loop.push_back({2.0 * i, height});
+        if (i > 0) loop.push_back({2.0 * i - 0.5, random.uniform(-0.7, 0.5)});
+    }
+    return loop;
+}
+
+// A square with a grid of square holes of three sizes: many events at a time.
+std::vector<Loop> sieve(Random& random, int side) {
+    const double s = side;
+    std::vector<Loop> loops = {{{0, 0}, {s, 0}, {s, s}, {0, s}}};
+    for (int i = 0; i < side * side; ++i) {
+        const double x = i % side + 0.5, y = i / side + 0.5, r = 0.125 * random.integer(1, 3);
+        loops.push_back({{x - r, y - r}, {x + r, y - r}, {x + r, y + r}, {x - r, y + r}});
+    }
+    return loops;
+}
+
+// Of all bits of the nodes and arcs (FNV-1a).
+std::uint64_t fingerprint(const StraightSkeleton& s) {
+    std::uint64_t hash = 14695981039346656037u;
+    const auto add = [&](std::uint64_t bits) { hash = (hash ^ bits) * 1099511628211u; };
+    for (const auto& node : s.nodes)
+        for (const double value : {node.place.x, node.place.y, node.time}) add(std::bit_cast<std::uint64_t>(value));
+    for (const auto& arc : s.arcs)
+        for (const int value : {arc.from, arc.to, arc.left, arc.right}) add(static_cast<std::uint64_t>(value));
+    return hash;
+}
+
 std::string failure(const std::vector<Loop>& loops) {
     try {
         straight_skeleton(loops);
@@ -242,6 +278,26 @@ TEST_CASE("straight skeletons on grids, where many events coincide") {
         CHECK(roots(s) == 1);
         CHECK(std::ssize(s.arcs) == std::ssize(s.nodes) - 1);
         check_faces(s, diagonal_of(s.corners));
+    }
+}
+
+TEST_CASE("straight skeletons of large polygons have the bits that they had when every corner looked at every edge") {
+    Random random(35);
+    const struct {
+        std::vector<Loop> loops;
+        std::uint64_t expected;
+    } cases[] = {
+        {{star_shaped(random, 3000)}, 0x0ad8a7ad4011d1dcu},
+        {{tangled(random, 300)}, 0xf4cb2ef20c69a906u},
+        {{slits(random, 1000)}, 0x0be421ebfb2e8c25u},
+        {{regular(400, 0.6)}, 0x955ebeba56a1f651u},
+        {sieve(random, 25), 0x6bfa9e7867254b45u},
+    };
+    for (const auto& c : cases) {
+        const StraightSkeleton s = straight_skeleton(c.loops);
+        CAPTURE(s.corners.size());
+        CHECK(roots(s) == 1);
+        CHECK(fingerprint(s) == c.expected);
     }
 }
 
