@@ -34,7 +34,20 @@ inline const std::filesystem::path& animated_demo() {
     return out;
 }
 
-// A copy of it to work on.
+// The folder of a model that was animated; the same for every caller.
+inline const std::filesystem::path& animated_model() {
+    static const TemporaryFolder folder;
+    static const std::filesystem::path out = [] {
+        const std::filesystem::path to = folder / "out";
+        const Outcome outcome = run_pantin(std::vector<std::string>{"model", "testdata/models/cat.json", "-o", to.string(), "--animate", "--clip", "idle"} +
+                                           small_films);
+        if (outcome.code != 0) throw std::runtime_error("model cat.json failed: " + outcome.err);
+        return to;
+    }();
+    return out;
+}
+
+// A copy of the demo to work on.
 inline void copy_demo(const std::filesystem::path& to) {
     std::filesystem::copy(animated_demo(), to, std::filesystem::copy_options::recursive);
 }

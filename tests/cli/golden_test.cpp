@@ -1,5 +1,5 @@
-// Golden digests of every file of the demo page (docs/determinism.md says what is digested, and how to update
-// them).
+// Golden digests of every file of the demo page and of a model (docs/determinism.md says what is digested, and how
+// to update them).
 #include <catch2/catch.hpp>
 
 #include <cstdio>
@@ -15,8 +15,6 @@ using namespace pantin;
 using namespace pantin::test;
 
 namespace {
-
-const std::string golden_file = "tests/golden/demo.txt";
 
 // FNV-1a, 64 bits.
 class Digest {
@@ -51,6 +49,12 @@ private:
 // The picture's encoded bytes, and the lengths that they decide, are left out; its pixels are put in.
 void add_glb(Digest& digest, const std::vector<unsigned char>& bytes) {
     GlbFile glb(bytes);
+    glb.json["asset"].erase("generator");
+    if (!glb.json.contains("images")) {
+        digest.add(glb.binary.data(), glb.binary.size());
+        digest.add(glb.json.dump());
+        return;
+    }
     auto& views = glb.json["bufferViews"];
     auto& picture = views[glb.json["images"][0]["bufferView"].get<std::size_t>()];
     const auto offset = picture["byteOffset"].get<std::size_t>(),
@@ -61,15 +65,14 @@ void add_glb(Digest& digest, const std::vector<unsigned char>& bytes) {
     digest.add(glb.binary.data(), offset);
     picture.erase("byteLength");
     glb.json.erase("buffers");
-    glb.json["asset"].erase("generator");
     digest.add(glb.json.dump());
 }
 
-std::string digest_of(const std::string& name, const std::string& bytes) {
+std::string digest_of(const std::filesystem::path& folder, const std::string& name, const std::string& bytes) {
     Digest digest;
     const std::vector<unsigned char> data(bytes.begin(), bytes.end());
     if (name.ends_with(".png"))
-        digest.add(load_image(animated_demo() / name, 1));
+        digest.add(load_image(folder / name, 1));
     else if (name.ends_with(".glb"))
         add_glb(digest, data);
 #ifdef PANTIN_WEBP
@@ -85,7 +88,7 @@ std::string digest_of(const std::string& name, const std::string& bytes) {
     return digest.text();
 }
 
-std::map<std::string, std::string> read_golden() {
+std::map<std::string, std::string> read_golden(const std::string& golden_file) {
     std::map<std::string, std::string> golden;
     std::istringstream lines(read(golden_file));
     for (std::string line; std::getline(lines, line);) {
@@ -95,18 +98,16 @@ std::map<std::string, std::string> read_golden() {
     return golden;
 }
 
-} // namespace
-
-TEST_CASE("Every file of the demo page has its golden digest", "[cli][end-to-end][golden]") {
+// `call`: how the folder was made; the first line of the file.
+void check_golden(const std::filesystem::path& folder, const std::string& golden_file, const std::string& call) {
     std::map<std::string, std::string> found;
-    for (const auto& [name, bytes] : read_all(animated_demo())) found[name] = digest_of(name, bytes);
+    for (const auto& [name, bytes] : read_all(folder)) found[name] = digest_of(folder, name, bytes);
     if (std::getenv("PANTIN_UPDATE_GOLDEN")) {
-        std::string text = "# pantin animate testdata/demo.png --size 64 --fps 5; see docs/determinism.md\n";
+        std::string text = "# " + call + "; see docs/determinism.md\n";
         for (const auto& [name, digest] : found) text += digest + "  " + name + "\n";
         write(golden_file, text);
     }
-    const auto golden = read_golden();
-    for (const auto& [name, digest] : golden) {
+    for (const auto& [name, digest] : read_golden(golden_file)) {
         // A program that was built without an encoder lacks its films, nothing else.
 #ifndef PANTIN_WEBP
         if (name.ends_with(".webp")) continue;
@@ -120,4 +121,14 @@ TEST_CASE("Every file of the demo page has its golden digest", "[cli][end-to-end
         found.erase(name);
     }
     CHECK(found.empty());
+}
+
+} // namespace
+
+TEST_CASE("Every file of the demo page has its golden digest", "[cli][end-to-end][golden]") {
+    check_golden(animated_demo(), "tests/golden/demo.txt", "pantin animate testdata/demo.png --size 64 --fps 5");
+}
+
+TEST_CASE("Every file of a model has its golden digest", "[cli][end-to-end][golden][model]") {
+    check_golden(animated_model(), "tests/golden/model.txt", "pantin model testdata/models/cat.json --animate --clip idle --size 64 --fps 5");
 }
