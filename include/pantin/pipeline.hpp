@@ -6,6 +6,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -46,6 +48,8 @@ Options make_preset(std::string_view name);
 // Sets the options that a JSON file names, as `{"skeletonization": {"residual_threshold": 20}}` or as
 // `{"skeletonization.residual_threshold": 20}`. Error(input) names the file and the option.
 void apply_config(Options& options, const std::filesystem::path& file);
+// The same with the JSON at hand; `source` stands for the file in messages.
+void apply_config_text(Options& options, const std::string& json, const std::string& source);
 // Every option with its value as JSON text, in a fixed order.
 std::vector<std::pair<std::string, std::string>> list_options(const Options& options);
 
@@ -84,14 +88,37 @@ struct Settings {
     std::function<void(const std::string& line)> notice; // facts that the user wants to check
 };
 
+// --- networks ----------------------------------------------------------------------------------------------
+
+// Each is loaded when it is first asked for, and stays. Several threads may share them: a network does not change when it is
+// used.
+class Networks {
+public:
+    explicit Networks(std::filesystem::path weights = {}) : folder_(std::move(weights)) {} // as in Settings
+    // Error(weights) when the weights are missing or invalid; the next call tries again.
+    const CharacterFinder& finder();
+    const Segmenter& segmenter();
+
+private:
+    template <class Network> const Network& loaded(std::optional<Network>& network, const char* name);
+
+    std::filesystem::path folder_;
+    std::mutex mutex_; // while a network is loaded, so that it is loaded once
+    std::optional<CharacterFinder> finder_;
+    std::optional<Segmenter> segmenter_;
+};
+
 // --- the page ----------------------------------------------------------------------------------------------
 
 struct PageCharacter {
     std::string folder; // name below the page's folder, "character-1"
     Box box;            // page pixels
     double scale = 1, score = 0;
-    std::string status = "ok"; // or "step: reason"
+    std::string status = "ok"; // or "step: reason", or unfinished_status
 };
+// Of a character whose page `animate` is still at work on, or was when it was cut off.
+inline constexpr const char* unfinished_status = "unfinished";
+
 struct Page {
     std::string source; // file name of the picture
     int rotate = 0; // degrees by which the picture was first turned clockwise
@@ -105,8 +132,11 @@ Page read_page(const std::filesystem::path& file);
 
 // The whole pipeline: `image`, a picture or an AnimatedDrawings character folder, to out/page.json and one folder a
 // character (and out/scene.* when that is wanted). A character that cannot go on keeps the files it has and says why in its
-// status. Throws Error(not_animated) when none could be animated, after page.json is written; Error(no_character) when there is none.
+// status. Throws Error(not_animated) when none could be animated, after page.json is written; Error(no_character) when there is
+// none. page.json is the last file to get its final content, so a run that was cut off does not look finished.
 Page animate(const std::filesystem::path& image, const std::filesystem::path& out, const Settings& settings);
+// The same with networks that other pages use, too; the weights of the settings do not count.
+Page animate(const std::filesystem::path& image, const std::filesystem::path& out, const Settings& settings, Networks& networks);
 
 // Step 1. Replaces the characters of a former run in `out`.
 Page detect_page(const std::filesystem::path& image, const std::filesystem::path& out,
@@ -116,6 +146,8 @@ Page detect_page(const std::filesystem::path& image, const std::filesystem::path
 // one, up to date, and throw Error(not_animated) when the character cannot go on.
 void segment_folder(const std::filesystem::path& folder, const Settings& settings);
 void skeletonize_folder(const std::filesystem::path& folder, const Settings& settings);
+// The skeletons of all methods side by side, for looking at: skeletons.png and skeletons.json. Reads labels and drawing.
+void compare_skeletons_folder(const std::filesystem::path& folder, const Settings& settings);
 void identify_folder(const std::filesystem::path& folder, const Settings& settings);
 void rig_folder(const std::filesystem::path& folder, const Settings& settings);
 void render_folder(const std::filesystem::path& folder, const Settings& settings);

@@ -19,13 +19,14 @@ enum class Residual {
 enum class SkeletonMethod {
     voronoi,  // edges of the Voronoi diagram of the border's pixels with a large residual (thesis 4.4)
     straight, // inner arcs of the straight skeleton of the simplified borders (Ma et al. 2021, 3.1)
-    thinning  // the whole silhouette
+    thinning, // the whole silhouette
+    chordal   // midpoints of the chords of the smoothed borders' triangulation (Prasad 1997; Borosán et al. 2012)
 };
 
 struct SkeletonizationOptions {
     SkeletonMethod method = SkeletonMethod::voronoi;
     Residual residual = Residual::chord; // `thesis`: arc
-    double residual_threshold = 30;      // at 321 px, scales with the longer side of the mask (thesis ch. 5)
+    double residual_threshold = 30;      // voronoi, chordal; at 321 px, scales with the longer side of the mask (thesis ch. 5)
     double merge_distance = 5;           // ε of H2 at 321 px, scales likewise (thesis 4.4)
     double fill_holes_share =
         0.02; // holes smaller than this share of the shape are filled; `thesis`: 0 (ERRATA 4)
@@ -66,7 +67,7 @@ struct Skeletonization {
     std::vector<Border> contour;
     std::vector<VoronoiEdge> voronoi;   // all edges inside the mask
     std::vector<double> residuals;      // per Voronoi edge
-    Mask voronoi_raster;                // edges over the threshold, homotopic to the mask
+    Mask voronoi_raster;                // edges over the threshold (or the other method's ridges), homotopic to the mask
     Mask thinned;                       // after Zhang–Suen
     Mask skeleton;                      // after removal of redundant pixels and cutting of cycles
     SkeletonGraph raw, after_h1, graph; // `graph`: after H1 and H2

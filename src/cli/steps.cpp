@@ -72,17 +72,23 @@ void add_rig(CLI::App& app, Run& run) {
 
 void add_skeletonize(CLI::App& app, Run& run) {
     const auto method = std::make_shared<std::string>();
-    const auto skeletonize_by = [method](const std::filesystem::path& folder, Settings settings) {
+    const auto compare = std::make_shared<bool>(false);
+    const auto skeletonize_by = [method, compare](const std::filesystem::path& folder, Settings settings) {
         SkeletonMethod& chosen = settings.options.skeletonization.method;
         if (*method == "voronoi") chosen = SkeletonMethod::voronoi;
         if (*method == "straight") chosen = SkeletonMethod::straight;
         if (*method == "thinning") chosen = SkeletonMethod::thinning;
+        if (*method == "chordal") chosen = SkeletonMethod::chordal;
         skeletonize_folder(folder, settings);
+        if (*compare) compare_skeletons_folder(folder, settings);
     };
-    add_folder_command(app, run, "skeletonize", "step 3: part labels to the skeleton", std::make_shared<FolderArguments>(),
-                       skeletonize_by)
-        ->add_option("--skeleton", *method, "voronoi (default), straight (straight skeleton) or thinning (Zhang-Suen alone)")
-        ->check(CLI::IsMember({"voronoi", "straight", "thinning"}));
+    CLI::App* command = add_folder_command(app, run, "skeletonize", "step 3: part labels to the skeleton",
+                                           std::make_shared<FolderArguments>(), skeletonize_by);
+    command
+        ->add_option("--skeleton", *method,
+                     "voronoi (default), straight (straight skeleton), thinning (Zhang-Suen alone) or chordal (chordal axis)")
+        ->check(CLI::IsMember({"voronoi", "straight", "thinning", "chordal"}));
+    command->add_flag("--compare", *compare, "also draw the skeletons of all four side by side (skeletons.png, skeletons.json)");
 }
 
 void add_identify(CLI::App& app, Run& run) {

@@ -74,7 +74,7 @@ template <class Visitor> void visit_segmentation(SegmentationOptions& o, Visitor
 }
 
 template <class Visitor> void visit_skeletonization(SkeletonizationOptions& o, Visitor& visit) {
-    visit("skeletonization.method", o.method, {"voronoi", "straight", "thinning"});
+    visit("skeletonization.method", o.method, {"voronoi", "straight", "thinning", "chordal"});
     visit("skeletonization.residual", o.residual, {"arc", "chord"});
     visit("skeletonization.residual_threshold", o.residual_threshold, 0, 10000);
     visit("skeletonization.merge_distance", o.merge_distance, 0, 10000);
@@ -239,13 +239,16 @@ Options make_preset(std::string_view name) {
     return options;
 }
 
-void apply_config(Options& options, const std::filesystem::path& file) {
-    const Json json = parse_json(read_text(file), file.string());
+void apply_config_text(Options& options, const std::string& text, const std::string& source) {
+    const Json json = parse_json(text, source);
     std::map<std::string, JsonReader> given;
-    flatten(JsonReader(json, file.string()), "", given);
+    flatten(JsonReader(json, source), "", given);
     visit_options(options, Setter{given});
-    if (!given.empty())
-        throw Error(ErrorKind::input, file.string() + ": there is no option '" + given.begin()->first + "'");
+    if (!given.empty()) throw Error(ErrorKind::input, source + ": there is no option '" + given.begin()->first + "'");
+}
+
+void apply_config(Options& options, const std::filesystem::path& file) {
+    apply_config_text(options, read_text(file), file.string());
 }
 
 std::vector<std::pair<std::string, std::string>> list_options(const Options& options) {

@@ -19,8 +19,23 @@ namespace {
 constexpr const char* own_files[] = {
     "drawing.png",  "mask.png",      "labels.png",          "segmentation.json", "contour.json",
     "skeleton.png", "skeleton.json", "identification.json", "mapping.json",      "mesh.obj",
-    "mesh.mtl",     "weights.txt",   "character.glb"};
+    "mesh.mtl",     "weights.txt",   "character.glb",       "skeletons.png", "skeletons.json"};
 constexpr const char* film_endings[] = {".webp", ".gif", ".apng", ".mp4", ".bvh"};
+
+// A run that was killed may leave the beginning of a file: `.<name>.<process>.part`, and `<name>.mp4.part` of ffmpeg.
+std::string without_part(const std::string& name) {
+    if (!name.ends_with(".part")) return name;
+    const std::string begun = name.substr(0, name.size() - 5);
+    if (begun.ends_with(".mp4") && !begun.starts_with('.')) return begun;
+    const std::size_t process = begun.rfind('.');
+    return begun.starts_with('.') && process > 1 ? begun.substr(1, process - 1) : name;
+}
+
+bool is_page_file(const std::string& name) {
+    return name == "page.json" || std::any_of(std::begin(film_endings), std::end(film_endings), [&](const char* ending) {
+               return name == "scene" + std::string(ending);
+           });
+}
 
 bool is_own_file(const std::string& name) {
     if (std::find(std::begin(own_files), std::end(own_files), name) != std::end(own_files)) return true;
@@ -29,13 +44,18 @@ bool is_own_file(const std::string& name) {
                        [&](const char* ending) { return name.ends_with(ending); });
 }
 
-// Removes what a former run wrote; files that are not ours stay, and the folder with them.
-void remove_character(const fs::path& folder) {
+void remove_files(const fs::path& folder, bool (*is_ours)(const std::string&)) {
     std::error_code ignored;
     std::vector<fs::path> files;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
-        if (is_own_file(entry.path().filename().string())) files.push_back(entry.path());
+        if (is_ours(without_part(entry.path().filename().string()))) files.push_back(entry.path());
     for (const fs::path& file : files) fs::remove(file, ignored);
+}
+
+// Removes what a former run wrote; files that are not ours stay, and the folder with them.
+void remove_character(const fs::path& folder) {
+    std::error_code ignored;
+    remove_files(folder, is_own_file);
     fs::remove_all(folder / "trace", ignored);
     fs::remove_all(folder / "frames", ignored);
     fs::remove_all(folder / "animated_drawings", ignored);
@@ -56,11 +76,11 @@ void remove_former_run(const fs::path& out) {
         if (character.folder.starts_with("character-")) remove_character(out / character.folder);
     fs::remove_all(out / "trace", ignored);
     fs::remove_all(out / "frames", ignored);
-    for (const char* ending : film_endings) fs::remove(out / ("scene" + std::string(ending)), ignored);
+    remove_files(out, is_page_file);
 }
 
 PageCharacter describe(const DetectedCharacter& detected, std::size_t number) {
-    return {"character-" + std::to_string(number), detected.box, detected.scale, detected.score, "ok"};
+    return {"character-" + std::to_string(number), detected.box, detected.scale, detected.score, unfinished_status};
 }
 
 } // namespace
@@ -104,10 +124,14 @@ DetectedPage run_detect(const fs::path& image, const fs::path& out, Workshop& wo
     create_folder(out);
     remove_former_run(out);
     if (workshop.settings().trace) trace_detection(out, detection);
-    for (DetectedCharacter& detected : detection.characters) {
+    for (const DetectedCharacter& detected : detection.characters)
         result.page.characters.push_back(describe(detected, result.page.characters.size() + 1));
+    // First, so that the next run knows which folders to clear should this one be cut off.
+    write_page(out, result.page);
+    for (std::size_t i = 0; i < detection.characters.size(); ++i) {
+        DetectedCharacter& detected = detection.characters[i];
         Character character;
-        character.folder = out / result.page.characters.back().folder;
+        character.folder = out / result.page.characters[i].folder;
         create_folder(character.folder);
         save_png(character.folder / "drawing.png", detected.drawing);
         save_png(character.folder / "mask.png", to_grey(detected.mask));
@@ -116,7 +140,6 @@ DetectedPage run_detect(const fs::path& image, const fs::path& out, Workshop& wo
         if (given) character.labels = std::move(given->labels);
         result.characters.push_back(std::move(character));
     }
-    write_page(out, result.page);
     return result;
 }
 

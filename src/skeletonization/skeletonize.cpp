@@ -1,9 +1,10 @@
-// Step 3 as a whole (thesis 4.4): silhouette → borders → Voronoi skeleton → thinning → graph → heuristics.
+// Step 3 as a whole (thesis 4.4): silhouette → borders → Voronoi skeleton (or another one) → thinning → graph → heuristics.
 #include "pantin/skeletonization.hpp"
 
 #include <algorithm>
 
 #include "pantin/image.hpp"
+#include "skeletonization/chordal_ridges.hpp"
 #include "skeletonization/parts.hpp"
 #include "skeletonization/straight_ridges.hpp"
 #include "skeletonization/topology.hpp"
@@ -48,12 +49,22 @@ void find_voronoi(Skeletonization& s, const BorderSites& sites, Residual residua
     }
 }
 
-// From the Voronoi edges above the threshold to the labelled graph.
+bool takes_threshold(SkeletonMethod method) { return method == SkeletonMethod::voronoi || method == SkeletonMethod::chordal; }
+
+Mask ridges_of(const Skeletonization& s, const BorderSites& sites, double threshold, SkeletonMethod method) {
+    switch (method) {
+    case SkeletonMethod::voronoi: return rasterise(s.voronoi, s.residuals, sites, s.mask, threshold);
+    case SkeletonMethod::straight: return straight_ridges(s.contour, s.mask);
+    case SkeletonMethod::chordal: return chordal_ridges(s.mask, threshold);
+    case SkeletonMethod::thinning: break;
+    }
+    return s.mask;
+}
+
+// From the ridges to the labelled graph.
 void find_graph(Skeletonization& s, const BorderSites& sites, const LabelMap& parts, double threshold,
                 const SkeletonizationOptions& options, double scale) {
-    Mask ridges = options.method == SkeletonMethod::voronoi    ? rasterise(s.voronoi, s.residuals, sites, s.mask, threshold)
-                  : options.method == SkeletonMethod::straight ? straight_ridges(s.contour, s.mask)
-                                                               : s.mask;
+    Mask ridges = ridges_of(s, sites, threshold, options.method);
     if (options.recover_parts_share > 0)
         ridges = anchor_missing_parts(ridges, s.mask, parts, options.recover_parts_share);
     s.voronoi_raster = restore_topology(ridges, s.mask);
@@ -78,11 +89,11 @@ Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions
     if (area(s.mask) == 0) throw CharacterRejected("skeletonize", "the silhouette is empty");
     s.contour = follow_borders(s.mask);
     const BorderSites sites = border_sites(s.contour, s.mask.width(), s.mask.height());
-    const bool voronoi = options.method == SkeletonMethod::voronoi;
-    if (voronoi) find_voronoi(s, sites, options.residual);
+    if (options.method == SkeletonMethod::voronoi) find_voronoi(s, sites, options.residual);
     const LabelMap parts = labels_on(s.mask, labels);
     find_graph(s, sites, parts, threshold, options, scale);
-    for (; voronoi && options.lower_threshold && s.graph.edges.empty() && threshold / 2 > lowest_threshold * scale; threshold /= 2)
+    const bool lower = options.lower_threshold && takes_threshold(options.method);
+    for (; lower && s.graph.edges.empty() && threshold / 2 > lowest_threshold * scale; threshold /= 2)
         find_graph(s, sites, parts, threshold / 2, options, scale);
     if (s.graph.edges.empty()) throw CharacterRejected("skeletonize", "the skeleton is a single point");
     return s;

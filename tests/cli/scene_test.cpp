@@ -139,7 +139,7 @@ TEST_CASE("skeletonize --skeleton takes another kind of skeleton, and the next s
     const fs::path out = folder / "out", character = out / "character-1";
     REQUIRE(run_pantin({"animate", small_page, "-o", out.string(), "--format", "bvh"}).code == 0);
     const std::string voronoi = read(character / "skeleton.json");
-    for (const std::string method : {"straight", "thinning", "voronoi"}) {
+    for (const std::string method : {"straight", "thinning", "chordal", "voronoi"}) {
         CAPTURE(method);
         REQUIRE(run_pantin({"skeletonize", character.string(), "--skeleton", method}).code == 0);
         CHECK((read(character / "skeleton.json") == voronoi) == (method == "voronoi"));

@@ -268,7 +268,7 @@ TEST_CASE("a round shape with a small head gets a lower threshold instead of a s
     CHECK_THROWS_AS(skeletonize(duck, options), CharacterRejected);
 }
 
-TEST_CASE("straight skeleton and thinning give skeletons of the same kind as the Voronoi diagram") {
+TEST_CASE("straight skeleton, thinning and chordal axis give skeletons of the same kind as the Voronoi diagram") {
     LabelMap cross(161, 161);
     for (int y = 0; y < 161; ++y)
         for (int x = 0; x < 161; ++x) {
@@ -276,7 +276,8 @@ TEST_CASE("straight skeleton and thinning give skeletons of the same kind as the
             if (across || upright)
                 cross(x, y) = static_cast<std::uint8_t>(std::max(std::abs(x - 80), std::abs(y - 80)) > 30 ? Label::limb : Label::body);
         }
-    for (const SkeletonMethod method : {SkeletonMethod::voronoi, SkeletonMethod::straight, SkeletonMethod::thinning}) {
+    for (const SkeletonMethod method :
+         {SkeletonMethod::voronoi, SkeletonMethod::straight, SkeletonMethod::thinning, SkeletonMethod::chordal}) {
         SkeletonizationOptions options;
         options.method = method;
         const Skeletonization s = skeletonize(cross, options);
