@@ -17,6 +17,18 @@ namespace {
 
 bool is_share(double value) { return std::isfinite(value) && value >= 0; }
 
+// Sizes and places that later sums and products keep finite.
+void check_range(const std::string& part, const Frame& frame) {
+    constexpr double largest = 1e6, farthest = 1e15;
+    const double size = length(frame.right);
+    if (!(size >= 1 / largest && size <= largest && length(frame.origin) <= farthest)) fail(part, "is too large, too small or too far away");
+}
+
+template <class T> T& own(std::shared_ptr<T>& shared) {
+    if (shared.use_count() > 1) shared = std::make_shared<T>(*shared);
+    return *shared;
+}
+
 RefinementOptions with(RefinementOptions options, const RefineSkeleton& asked) {
     options.prune = asked.prune.value_or(options.prune);
     options.merge = asked.merge.value_or(options.merge);
@@ -65,9 +77,10 @@ void Model::apply(const ModelCall& call) {
     std::visit(Caller{*this}, call);
 }
 
+// Copies of a model share what was drawn until one of them changes it.
 Model::Drawn& Model::drawn(const std::string& name) {
     for (auto& d : drawn_)
-        if (d->stroke.name == name) return *d;
+        if (d->stroke.name == name) return own(d);
     fail(name, "there is no such part");
 }
 
@@ -97,6 +110,7 @@ void Model::add_part(const PartStroke& part) {
     const auto d = std::make_shared<Drawn>();
     d->stroke = part;
     d->frame = frame_of(part.view, origin_, part.depth);
+    check_range(part.name, d->frame);
     d->skeleton = options_.skeleton;
     extract(*d);
     if (d->flat.outline.cut > 0)
@@ -109,7 +123,7 @@ void Model::remove_part(const std::string& name) {
     const Drawn* gone = &drawn(name);
     std::erase_if(drawn_, [&](const auto& d) { return d.get() == gone; });
     for (auto& d : drawn_)
-        if (d->stroke.parent == name) d->stroke.parent.clear();
+        if (d->stroke.parent == name) own(d).stroke.parent.clear();
     update();
 }
 
@@ -118,7 +132,9 @@ void Model::move_part(const MovePart& move) {
     if (!(move.scale > 0) || !std::isfinite(move.scale)) fail(move.part, "the scale must be positive");
     if (!std::isfinite(move.degrees) || !std::isfinite(dot(move.translate, move.translate))) fail(move.part, "a move is not a number");
     if (move.axis < 'x' || move.axis > 'z') fail(move.part, "the axis must be x, y or z");
-    d.frame = moved(d.frame, to_model(d.frame, middle_of(d.flat.outline.corners)), move);
+    const Frame frame = moved(d.frame, to_model(d.frame, middle_of(d.flat.outline.corners)), move);
+    check_range(move.part, frame);
+    d.frame = frame;
     update();
 }
 
@@ -134,7 +150,10 @@ void Model::refine(const RefineSkeleton& call) {
         if (call.branch >= 0) throw Error(ErrorKind::input, "refine: a branch without its part");
         global_ = with(global_, call);
         for (auto& d : drawn_) {
-            d->asked = {};
+            RefineSkeleton& asked = own(d).asked;
+            if (call.prune) asked.prune.reset();
+            if (call.merge) asked.merge.reset();
+            if (call.collapse) asked.collapse.reset();
             if (call.simplify) simplify(*d, -1, *call.simplify);
         }
         if (call.simplify) options_.skeleton.branch_thresholds = {{-1, *call.simplify}}; // of parts to come
@@ -155,7 +174,7 @@ void Model::refine(const RefineSkeleton& call) {
 
 void Model::simplify(Drawn& d, int branch, double threshold) const {
     if (branch < 0) d.skeleton.branch_thresholds.clear();
-    d.skeleton.branch_thresholds[branch] = threshold;
+    d.skeleton.branch_thresholds[std::max(branch, -1)] = threshold;
     extract(d);
 }
 

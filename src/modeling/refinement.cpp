@@ -1,5 +1,6 @@
 // Ma et al. 2021, section 3.3, on one sub-skeleton or on the connected skeleton of a model.
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "geometry/extent.hpp"
@@ -24,6 +25,7 @@ public:
             neighbours_[a].push_back(b);
             neighbours_[b].push_back(a);
         }
+        for (int j = 0; j < std::ssize(neighbours_); ++j) was_junction_.push_back(is_junction(j));
     }
 
     // All branches that end are judged at once, by the skeleton as it was, so a star of short ones
@@ -40,18 +42,45 @@ public:
             std::erase_if(neighbours_[j], [&](int n) { return gone_[j] || gone_[n]; });
     }
 
+    // Along each branch a junction nearer than the limit to the last one that stays becomes that one. Junctions that pruning made
+    // inner joints count as well, and what lies between near ones goes even where they stay: so that a larger limit of prune() never
+    // gives more joints.
     void merge_junctions() {
         for (const Branch& branch : branches()) {
-            const int a = branch.joints.front(), b = branch.joints.back();
-            if (is_junction(a) && is_junction(b) && branch.length < limit(a, b, &RefinementOptions::merge))
-                for (const int j : branch.joints) join(j, a);
+            const std::vector<int>& joints = branch.joints;
+            std::size_t last = joints.size(); // junction
+            double way = 0;                   // from the one that stays to the last one, in limits
+            for (std::size_t i = 0; i < joints.size(); ++i) {
+                if (!was_junction_[joints[i]]) continue;
+                double span = std::numeric_limits<double>::infinity();
+                if (last < i) span = in_limits(length_of(joints, last, i), joints[last], joints[i], &RefinementOptions::merge);
+                if (span < 1)
+                    for (std::size_t k = last + 1; k < i; ++k) join(joints[k], is_end(joints[last]) ? joints[i] : joints[last]);
+                way += span;
+                if (way < 1 && !is_end(joints[last]) && !is_end(joints[i]))
+                    join(joints[i], joints[last]);
+                else
+                    way = 0;
+                last = i;
+            }
         }
     }
 
+    // Along each branch an inner joint nearer than the limit to the last one that stays becomes that one. The way along the branch
+    // counts, so that a branch of many short bones is thinned and does not shrink to a joint.
     void collapse() {
-        for (const auto& [a, b] : skeleton_.bones) {
-            if (gone_[a] || gone_[b] || is_end(a) || is_end(b)) continue;
-            if (distance(skeleton_.joints[a].place, skeleton_.joints[b].place) < limit(a, b, &RefinementOptions::collapse)) join(a, b);
+        for (const Branch& branch : branches()) {
+            const std::vector<int>& joints = branch.joints;
+            double way = 0; // from the joint that stays, in limits
+            for (std::size_t i = 1; i < joints.size(); ++i) {
+                const int a = joints[i - 1], b = joints[i];
+                if (is_end(a) || is_end(b)) continue;
+                if (root(a) != root(b)) way += in_limits(length_of(joints, i - 1, i), a, b, &RefinementOptions::collapse);
+                if (way < 1)
+                    join(a, b);
+                else
+                    way = 0;
+            }
         }
     }
 
@@ -83,14 +112,21 @@ private:
     double limit(int a, int b, double RefinementOptions::*operation) const {
         return std::max(limits_[skeleton_.joints[a].part].*operation, limits_[skeleton_.joints[b].part].*operation);
     }
+    double in_limits(double way, int a, int b, double RefinementOptions::*operation) const {
+        const double least = limit(a, b, operation);
+        return least > 0 ? way / least : std::numeric_limits<double>::infinity();
+    }
+    double length_of(const std::vector<int>& chain, std::size_t first, std::size_t last) const {
+        double sum = 0;
+        for (std::size_t i = first; i < last; ++i) sum += distance(skeleton_.joints[chain[i]].place, skeleton_.joints[chain[i + 1]].place);
+        return sum;
+    }
     void join(int a, int b) { group_[std::max(root(a), root(b))] = std::min(root(a), root(b)); }
 
     std::vector<Branch> branches() const {
         std::vector<Branch> found;
         for (std::vector<int>& chain : chains_of(neighbours_)) {
-            double length = 0;
-            for (std::size_t i = 1; i < chain.size(); ++i)
-                length += distance(skeleton_.joints[chain[i - 1]].place, skeleton_.joints[chain[i]].place);
+            const double length = length_of(chain, 0, chain.size() - 1);
             found.push_back({std::move(chain), length});
         }
         return found;
@@ -100,7 +136,8 @@ private:
     const std::vector<RefinementOptions>& limits_;
     std::vector<std::vector<int>> neighbours_;
     std::vector<char> gone_;
-    std::vector<int> group_; // union-find; the smallest joint of a group is its root
+    std::vector<char> was_junction_; // before pruning
+    std::vector<int> group_;         // union-find; the smallest joint of a group is its root
 };
 
 } // namespace
