@@ -87,7 +87,7 @@ TORCH_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out tools/compare_torch/
 EVALUATE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/identification/*.cpp)))
 RESOURCES := $(sort $(wildcard weights/*.safetensors references/*.json))
 
-.PHONY: all demo demo-run test test-run sanitize bench install uninstall clean deps doodle check-gltf
+.PHONY: all demo demo-run test test-run sanitize bench install install-files uninstall clean deps doodle check-gltf
 all: $(BUILD)/pantin
 
 # Set-up happens in a first make, so that the second one sees the libraries that were just installed. The second one uses
@@ -157,13 +157,25 @@ $(BUILD)/%.o: %.cpp
 	$(call run,CXX)$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(FILE_FLAGS) -MMD -MP -c -o $@ $<
 -include $(patsubst %.o,%.d,$(LIB_OBJECTS) $(DOODLE_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS) $(COMPARE_OBJECTS) $(EVALUATE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/tools/compare_torch/main.o $(BUILD)/src/cli/main.o $(BUILD)/tools/doodle/main.o $(BUILD)/tools/motion_quality/main.o)
 
-install: $(BUILD)/pantin
-	$(INSTALL) -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib $(DESTDIR)$(PREFIX)/include/pantin
+# What stands where: program, library, headers, man pages, completion, pkg-config.
+share = $(DESTDIR)$(PREFIX)/share
+completions = share/bash-completion/completions/pantin share/zsh/site-functions/_pantin share/fish/vendor_completions.d/pantin.fish
+install: $(BUILD)/pantin install-files
+install-files:
+	$(INSTALL) -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib/pkgconfig $(DESTDIR)$(PREFIX)/include/pantin $(share)/man/man1 \
+	    $(foreach file,$(completions),$(DESTDIR)$(PREFIX)/$(dir $(file)))
 	$(INSTALL) -m 755 $(BUILD)/pantin $(DESTDIR)$(PREFIX)/bin/pantin
 	$(INSTALL) -m 644 $(BUILD)/libpantin.a $(DESTDIR)$(PREFIX)/lib/libpantin.a
 	$(INSTALL) -m 644 include/pantin/*.hpp $(DESTDIR)$(PREFIX)/include/pantin/
+	printf 'prefix=%s\nName: pantin\nDescription: drawings of characters come alive\nVersion: %s\nCflags: -I$${prefix}/include\nLibs: -L$${prefix}/lib -lpantin -pthread %s\n' \
+	    '$(PREFIX)' '$(VERSION)' '$(LDLIBS)' > $(DESTDIR)$(PREFIX)/lib/pkgconfig/pantin.pc
+	$(BUILD)/pantin manual -o $(share)/man/man1
+	$(BUILD)/pantin completion bash > $(DESTDIR)$(PREFIX)/$(word 1,$(completions))
+	$(BUILD)/pantin completion zsh > $(DESTDIR)$(PREFIX)/$(word 2,$(completions))
+	$(BUILD)/pantin completion fish > $(DESTDIR)$(PREFIX)/$(word 3,$(completions))
 uninstall:
-	rm -f $(DESTDIR)$(PREFIX)/bin/pantin $(DESTDIR)$(PREFIX)/lib/libpantin.a
+	rm -f $(DESTDIR)$(PREFIX)/bin/pantin $(DESTDIR)$(PREFIX)/lib/libpantin.a $(DESTDIR)$(PREFIX)/lib/pkgconfig/pantin.pc
+	rm -f $(share)/man/man1/pantin.1 $(share)/man/man1/pantin-*.1 $(addprefix $(DESTDIR)$(PREFIX)/,$(completions))
 	rm -rf $(DESTDIR)$(PREFIX)/include/pantin
 clean:
 	rm -rf build out

@@ -33,8 +33,8 @@ std::vector<fs::path> page_folders(const Arguments& arguments) {
 }
 
 void animate_page(const fs::path& image, const fs::path& folder, const Arguments& arguments,
-                  const Settings& settings) {
-    const Page page = animate(image, folder, settings);
+                  const Settings& settings, Networks& networks) {
+    const Page page = animate(image, folder, settings, networks);
     for (const PageCharacter& character : page.characters)
         print_result(arguments.common, (folder / character.folder).string() + ": " + character.status);
 }
@@ -47,11 +47,12 @@ int run_animate(const Arguments& arguments) {
     if (arguments.images.size() > 1 && !(arguments.mask.empty() && arguments.labels.empty()))
         throw Error(ErrorKind::usage, "--mask and --labels go with one page");
     const std::vector<fs::path> folders = page_folders(arguments);
+    Networks networks(settings.weights);
     int first_code = 0;
     bool any = false;
     for (std::size_t i = 0; i < folders.size(); ++i) {
         try {
-            animate_page(arguments.images[i], folders[i], arguments, settings);
+            animate_page(arguments.images[i], folders[i], arguments, settings, networks);
             any = true;
         } catch (const Error& error) {
             print_error(error.what());

@@ -16,16 +16,6 @@ namespace {
 
 bool bar_shown = false;
 
-void show_progress(const std::string& what, double share) {
-    constexpr int width = 30;
-    const int full = static_cast<int>(std::floor(share * width));
-    const std::string bar = std::string(static_cast<std::size_t>(full), '#') +
-                            std::string(static_cast<std::size_t>(width - full), '.');
-    std::fprintf(stderr, "\r\033[K[%s] %3.0f %% %s", bar.c_str(), 100 * share, what.c_str());
-    std::fflush(stderr);
-    bar_shown = true;
-}
-
 int hex_byte(const std::string& text, std::size_t at) {
     int value = -1;
     const char* begin = text.data() + at;
@@ -124,6 +114,7 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
     Settings settings;
     settings.options = make_preset(options.preset);
     if (!options.config.empty()) apply_config(settings.options, options.config);
+    if (!options.config_text.empty()) apply_config_text(settings.options, options.config_text, "config");
     if (!options.detector.empty())
         settings.options.detection.detector =
             options.detector == "contour" ? Detector::contour : Detector::mask_rcnn;
@@ -149,6 +140,19 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
     if (!options.quiet && isatty(STDERR_FILENO)) settings.progress = show_progress;
     settings.notice = [options](const std::string& line) { print_result(options, line); };
     return settings;
+}
+
+void show_progress(const std::string& what, double share) {
+    constexpr int width = 30;
+    const int full = static_cast<int>(std::floor(std::max(0.0, share) * width));
+    const std::string bar = std::string(static_cast<std::size_t>(full), '#') +
+                            std::string(static_cast<std::size_t>(width - full), '.');
+    if (share < 0)
+        std::fprintf(stderr, "\r\033[K%s", what.c_str());
+    else
+        std::fprintf(stderr, "\r\033[K[%s] %3.0f %% %s", bar.c_str(), 100 * share, what.c_str());
+    std::fflush(stderr);
+    bar_shown = true;
 }
 
 void clear_progress() {

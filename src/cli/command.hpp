@@ -18,6 +18,7 @@ using Run = std::function<int()>;
 struct CommonOptions {
     std::string preset = "default";
     std::string config, detector, weights, references, motion;
+    std::string config_text; // a configuration at hand instead of in a file (of `batch`)
     int threads = 0; // 0: all cores
     int rotate = 0;
     bool trace = false, quiet = false, animated_drawings = false, blend = false;
@@ -42,6 +43,8 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags = 
 
 // One line on standard error, whatever the message holds.
 void print_error(const std::string& message);
+// Without a bar when the share is negative, that is unknown.
+void show_progress(const std::string& what, double share);
 // Takes the progress bar off the terminal.
 void clear_progress();
 // A result on standard output, unless --quiet.
@@ -51,5 +54,8 @@ void add_animate(CLI::App& app, Run& run);
 void add_steps(CLI::App& app, Run& run);
 void add_evaluate(CLI::App& app, Run& run);
 void add_model(CLI::App& app, Run& run);
+void add_batch(CLI::App& app, Run& run);
+void add_manual(CLI::App& app, Run& run);
+void add_completion(CLI::App& app, Run& run);
 
 } // namespace pantin::cli

@@ -46,7 +46,10 @@ int run_command_line(int argc, char** argv) {
     cli::add_animate(app, run);
     cli::add_steps(app, run);
     cli::add_model(app, run);
+    cli::add_manual(app, run);
+    cli::add_completion(app, run);
     cli::add_evaluate(app, run);
+    cli::add_batch(app, run);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

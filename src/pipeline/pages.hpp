@@ -13,7 +13,8 @@ struct DetectedPage {
     std::vector<Character> characters; // drawing and mask in memory, in the order of the page's list
 };
 
-// Step 1 with its files. Nothing is written when the picture is bad or holds no character.
+// Step 1 with its files. Nothing is written when the picture is bad or holds no character. In page.json the characters are
+// unfinished.
 DetectedPage run_detect(const std::filesystem::path& image, const std::filesystem::path& out,
                         Workshop& workshop);
 

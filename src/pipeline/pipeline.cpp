@@ -45,16 +45,17 @@ std::string animate_character(Character& character, Workshop& workshop,
 
 } // namespace
 
-Page animate(const fs::path& image, const fs::path& out, const Settings& wanted) {
+Page animate(const fs::path& image, const fs::path& out, const Settings& settings) {
+    Networks networks(settings.weights);
+    return animate(image, out, settings, networks);
+}
+
+Page animate(const fs::path& image, const fs::path& out, const Settings& wanted, Networks& networks) {
     Settings settings = wanted;
     // Their characters are human figures.
     if (is_animated_drawings_folder(image) && settings.given.reference.empty()) settings.given.reference = "humanoid";
-    Workshop workshop(settings);
-    // Weights, references and motion first: when they are bad nothing is written.
-    workshop.segmenter();
-    workshop.references();
-    workshop.motion();
-    if (!settings.given.reference.empty()) workshop.reference(settings.given.reference);
+    Workshop workshop(settings, networks);
+    workshop.prepare();
 
     // Step 1 (4.2): the page to characters.
     DetectedPage detected = run_detect(image, out, workshop);
@@ -75,20 +76,23 @@ Page animate(const fs::path& image, const fs::path& out, const Settings& wanted)
             reasons += (reasons.empty() ? "" : "; ") + entry.folder + ": " + entry.status;
         if (!settings.render.scene) character = {}; // its pictures are not needed any more
     }
-    write_page(out, detected.page);
-    if (animated == 0)
-        throw Error(ErrorKind::not_animated,
-                    image.string() + ": no character could be animated (" + reasons + ")");
-    if (settings.render.scene) {
+    if (animated > 0 && settings.render.scene) {
         workshop.progress("scene", 1);
         run_scene(image, out, detected.page, detected.characters, workshop);
     }
+    write_page(out, detected.page); // last: whoever finds it without unfinished characters finds everything
+    if (animated == 0)
+        throw Error(ErrorKind::not_animated,
+                    image.string() + ": no character could be animated (" + reasons + ")");
     return detected.page;
 }
 
 Page detect_page(const fs::path& image, const fs::path& out, const Settings& settings) {
     Workshop workshop(settings);
-    return run_detect(image, out, workshop).page;
+    Page page = run_detect(image, out, workshop).page;
+    for (PageCharacter& character : page.characters) character.status = "ok";
+    write_page(out, page);
+    return page;
 }
 
 } // namespace pantin

@@ -1,42 +1,15 @@
 #include "pipeline/workshop.hpp"
 
 #include "core/file.hpp"
-#include "core/resources.hpp"
 
 namespace pantin {
 
-std::span<const unsigned char> Workshop::weights(const std::string& name, std::string& source,
-                                                 std::vector<unsigned char>& bytes) const {
-    if (settings_.weights.empty()) {
-        source = "weights/" + name + " (compiled in)";
-        const std::span<const unsigned char> compiled = find_resource("weights/" + name);
-        if (compiled.empty())
-            throw Error(ErrorKind::weights,
-                        "weights/" + name + " is not compiled into this program: give a folder with --weights");
-        return compiled;
-    }
-    const std::filesystem::path file = settings_.weights / name;
-    source = file.string();
-    try {
-        return bytes = read_file(file);
-    } catch (const Error& error) {
-        throw Error(ErrorKind::weights, error.what());
-    }
+void Workshop::prepare() {
+    segmenter();
+    references();
+    motion();
+    if (!settings_.given.reference.empty()) reference(settings_.given.reference);
 }
-
-template <class Network> const Network& Workshop::loaded(std::optional<Network>& network, const char* name) {
-    if (!network) {
-        std::string source;
-        std::vector<unsigned char> file; // not needed any more once the network is there
-        const std::span<const unsigned char> bytes = weights(name, source, file);
-        network.emplace(bytes, source);
-    }
-    return *network;
-}
-
-const CharacterFinder& Workshop::finder() { return loaded(finder_, "detector.safetensors"); }
-
-const Segmenter& Workshop::segmenter() { return loaded(segmenter_, "segmenter.safetensors"); }
 
 const std::vector<ReferenceSkeleton>& Workshop::references() {
     if (!references_) references_ = load_references(settings_.references);

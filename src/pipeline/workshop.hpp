@@ -1,9 +1,8 @@
-// What all characters of a run share: the settings, the networks and the reference skeletons, each loaded
+// What all characters of a page share: the settings, the networks and the reference skeletons, each loaded
 // once.
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -14,13 +13,18 @@ namespace pantin {
 
 class Workshop {
 public:
-    explicit Workshop(const Settings& settings) : settings_(settings) {}
+    explicit Workshop(const Settings& settings)
+        : settings_(settings), own_(std::in_place, settings.weights), networks_(*own_) {}
+    // With networks that other workshops use, too.
+    Workshop(const Settings& settings, Networks& networks) : settings_(settings), networks_(networks) {}
+    Workshop(const Workshop&) = delete;
+    Workshop& operator=(const Workshop&) = delete;
 
     const Settings& settings() const { return settings_; }
     const Options& options() const { return settings_.options; }
     // Error(weights) when the weights are missing or invalid.
-    const CharacterFinder& finder();
-    const Segmenter& segmenter();
+    const CharacterFinder& finder() { return networks_.finder(); }
+    const Segmenter& segmenter() { return networks_.segmenter(); }
     // Error(input) when a reference file is invalid.
     const std::vector<ReferenceSkeleton>& references();
     const ReferenceSkeleton& reference(const std::string& name);
@@ -31,21 +35,17 @@ public:
     };
     const NamedMotion* motion();
 
+    // Loads what a run needs from the start: what is bad shows before anything is written.
+    void prepare();
+
     void progress(const std::string& what, double share = 0) const {
         if (settings_.progress) settings_.progress(what, share);
     }
 
 private:
-    // The bytes of weights/<name>, compiled in, or read into `file` from the folder of the settings. `source`
-    // names them.
-    std::span<const unsigned char> weights(const std::string& name, std::string& source,
-                                           std::vector<unsigned char>& file) const;
-
-    template <class Network> const Network& loaded(std::optional<Network>& network, const char* name);
-
     const Settings& settings_;
-    std::optional<CharacterFinder> finder_;
-    std::optional<Segmenter> segmenter_;
+    std::optional<Networks> own_;
+    Networks& networks_;
     std::optional<std::vector<ReferenceSkeleton>> references_;
     std::optional<NamedMotion> motion_;
 };

@@ -8,7 +8,7 @@ using namespace pantin::test;
 namespace {
 
 const std::vector<std::string> commands = {"animate",  "detect", "segment", "skeletonize",
-                                           "identify", "rig",    "render"};
+                                           "identify", "rig",    "render",  "batch"};
 
 } // namespace
 

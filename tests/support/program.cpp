@@ -20,11 +20,13 @@ std::string program() {
     return std::filesystem::absolute(name).string();
 }
 
-[[noreturn]] void become(const std::string& file, const std::vector<std::string>& arguments,
-                         const Environment& environment, const std::string& out, const std::string& err) {
+[[noreturn]] void become(const std::string& file, const std::vector<std::string>& arguments, const Environment& environment,
+                         const std::string& in, const std::string& out, const std::string& err) {
     const int to_out = open(out.c_str(), O_WRONLY | O_CREAT, 0600),
               to_err = open(err.c_str(), O_WRONLY | O_CREAT, 0600);
-    if (to_out < 0 || to_err < 0) _exit(126);
+    const int from_in = open(in.c_str(), O_RDONLY);
+    if (from_in < 0 || to_out < 0 || to_err < 0) _exit(126);
+    dup2(from_in, STDIN_FILENO);
     dup2(to_out, STDOUT_FILENO);
     dup2(to_err, STDERR_FILENO);
     unsetenv("PANTIN_WEIGHTS");
@@ -39,13 +41,15 @@ std::string program() {
 } // namespace
 
 Outcome run_pantin(const std::vector<std::string>& arguments, const Environment& environment,
-                   const std::string& standard_output) {
+                   const std::string& standard_output, const std::string& standard_input) {
     const TemporaryFolder folder;
     const std::string file = program(), err = (folder / "err").string();
     const std::string out = standard_output.empty() ? (folder / "out").string() : standard_output;
+    const std::string in = (folder / "in").string();
+    write(in, standard_input);
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("cannot fork");
-    if (child == 0) become(file, arguments, environment, out, err);
+    if (child == 0) become(file, arguments, environment, in, out, err);
     int status = 0;
     if (waitpid(child, &status, 0) != child) throw std::runtime_error("the program is lost");
     Outcome outcome;

@@ -1,0 +1,195 @@
+#include "pipeline/batch.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <new>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
+
+#include "core/file.hpp"
+#include "core/json.hpp"
+#include "core/json_reader.hpp"
+#include "pantin/network.hpp"
+
+namespace pantin {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// --- one page ----------------------------------------------------------------------------------------------
+
+// identification.json belongs to this run once the character has come past identification.
+std::string type_of(const fs::path& folder, const std::string& status) {
+    if (status != "ok" && !status.starts_with("rig: ") && !status.starts_with("render: ")) return "";
+    const fs::path file = folder / "identification.json";
+    try {
+        const Json json = parse_json(read_text(file), file.string());
+        return JsonReader(json, file.string()).at("reference").text();
+    } catch (const Error&) {
+        return ""; // of a former run, and changed by hand
+    }
+}
+
+void describe_page(BatchResult& result, const Page& page, const fs::path& out) {
+    for (const PageCharacter& c : page.characters)
+        result.characters.push_back({c.folder, c.status, type_of(out / c.folder, c.status)});
+    const bool any = std::any_of(page.characters.begin(), page.characters.end(),
+                                 [](const PageCharacter& c) { return c.status == "ok"; });
+    if (any) return;
+    result.status = page.characters.empty() ? "error: page.json lists no character" : page.characters.front().status;
+    result.code = static_cast<int>(ErrorKind::not_animated);
+}
+
+// The page.json of a run that was finished, from the same picture. `detect` alone writes a page.json, too, but no GLB.
+std::optional<Page> finished_page(const fs::path& image, const fs::path& out, const Settings& settings) {
+    std::error_code ignored;
+    if (!fs::exists(out / "page.json", ignored)) return std::nullopt;
+    try {
+        const Page page = read_page(out / "page.json");
+        bool finished = page.source == image.filename() && page.rotate == settings.rotate && !page.characters.empty();
+        for (const PageCharacter& c : page.characters)
+            finished = finished && c.status != unfinished_status &&
+                       (c.status != "ok" || fs::exists(out / c.folder / "character.glb", ignored));
+        return finished ? std::optional(page) : std::nullopt;
+    } catch (const Error&) {
+        return std::nullopt; // not ours, or broken: done again
+    }
+}
+
+void set_failure(BatchResult& result, const std::string& message, ErrorKind kind) {
+    result.characters.clear();
+    result.skipped = false;
+    result.status = "error: " + message;
+    result.code = static_cast<int>(kind);
+}
+
+void animate_or_skip(const fs::path& image, const fs::path& out, const Settings& settings, bool skip_done,
+                     Networks& networks, BatchResult& result) {
+    if (const std::optional<Page> done = skip_done ? finished_page(image, out, settings) : std::nullopt) {
+        result.skipped = true;
+        return describe_page(result, *done, out);
+    }
+    try {
+        describe_page(result, animate(image, out, settings, networks), out);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::not_animated) throw;
+        describe_page(result, read_page(out / "page.json"), out);
+    }
+}
+
+} // namespace
+
+void set_failure(BatchResult& result) {
+    try {
+        throw;
+    } catch (const Error& error) {
+        set_failure(result, error.what(), error.kind());
+    } catch (const CharacterRejected& rejected) {
+        set_failure(result, rejected.step() + ": " + rejected.what(), ErrorKind::not_animated);
+    } catch (const std::bad_alloc&) {
+        set_failure(result, "out of memory", ErrorKind::internal);
+    } catch (const std::exception& error) {
+        set_failure(result, std::string("internal error: ") + error.what(), ErrorKind::internal);
+    }
+}
+
+void run_batch_page(const fs::path& image, const fs::path& out, const Settings& settings, bool skip_done,
+                    Networks& networks, BatchResult& result) {
+    const auto start = std::chrono::steady_clock::now();
+    try {
+        animate_or_skip(image, out, settings, skip_done, networks, result);
+    } catch (...) {
+        set_failure(result);
+    }
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string batch_line(const BatchResult& result, bool with_seconds) {
+    const auto text_or_null = [](const std::optional<std::string>& text) { return text ? Json(*text) : Json(nullptr); };
+    Json line = {{"image", text_or_null(result.image)}, {"out", text_or_null(result.out)},
+                 {"status", result.status},             {"code", result.code}};
+    if (result.skipped) line["skipped"] = true;
+    line["characters"] = Json::array();
+    for (const BatchCharacter& c : result.characters)
+        line["characters"].push_back(
+            {{"folder", c.folder}, {"status", c.status}, {"type", c.type.empty() ? Json(nullptr) : Json(c.type)}});
+    if (with_seconds) line["seconds"] = std::rint(1000 * result.seconds) / 1000;
+    return to_compact_json_text(line);
+}
+
+// --- all pages ---------------------------------------------------------------------------------------------
+
+namespace {
+
+class Conveyor {
+public:
+    Conveyor(int threads, const std::function<BatchTask()>& next, const std::function<bool(const BatchResult&)>& write)
+        : ahead_(2 * static_cast<std::size_t>(threads)), next_(next), write_(write) {}
+
+    // What each thread does.
+    void work() {
+        std::size_t number = 0;
+        while (const BatchTask task = take(number)) deliver(number, task());
+    }
+
+private:
+    // Empty: there is no more to do.
+    BatchTask take(std::size_t& number) {
+        const std::lock_guard turn(input_);
+        {
+            std::unique_lock lock(output_);
+            room_.wait(lock, [&] { return stopped_ || taken_ < written_ + ahead_; });
+            if (stopped_) return {};
+        }
+        if (ended_) return {};
+        ended_ = true; // should it throw
+        BatchTask task = next_(); // may wait for the input; others deliver in the meantime
+        ended_ = !task;
+        number = taken_++;
+        return task;
+    }
+
+    void deliver(std::size_t number, BatchResult result) {
+        const std::lock_guard lock(output_);
+        waiting_.emplace(number, std::move(result));
+        for (; !stopped_ && waiting_.count(written_) != 0; ++written_) {
+            const BatchResult next = std::move(waiting_.at(written_));
+            waiting_.erase(written_);
+            stopped_ = true; // should it throw
+            room_.notify_all();
+            stopped_ = !write_(next);
+        }
+        room_.notify_all();
+    }
+
+    const std::size_t ahead_;
+    const std::function<BatchTask()>& next_;
+    const std::function<bool(const BatchResult&)>& write_;
+    std::mutex input_, output_;
+    // Under input_:
+    std::size_t taken_ = 0;
+    bool ended_ = false;
+    // Under output_:
+    std::condition_variable room_;
+    std::map<std::size_t, BatchResult> waiting_; // for those before them
+    std::size_t written_ = 0;
+    bool stopped_ = false;
+};
+
+} // namespace
+
+void run_in_order(int threads, const std::function<BatchTask()>& next, const std::function<bool(const BatchResult&)>& write) {
+    Conveyor conveyor(threads, next, write);
+    const network::Runtime runtime(threads);
+    runtime.parallel_for(threads, [&](int) { conveyor.work(); });
+}
+
+} // namespace pantin
