@@ -116,9 +116,17 @@ struct GgdResult {
 // Our exact branch and bound; canonical: the lexicographically smallest matching within 1e-9 of the optimum.
 GgdResult geometric_graph_distance(const LabelledGraph& a, const LabelledGraph& b,
                                    const GgdOptions& options = {});
-// Cost of a given matching.
+// Cost of a given matching (Eq. 4.7).
 double matching_cost(const LabelledGraph& a, const LabelledGraph& b,
                      const std::vector<std::pair<int, int>>& pairs, const GgdOptions& options = {});
+// What it is the sum of.
+struct GgdTerms {
+    double places = 0, labels = 0;    // of matched vertices: K_v · distance, K_l · label distance
+    double lengths = 0;               // K_e · difference of the lengths of matched edges
+    double edges_a = 0, edges_b = 0;  // K_e · length of the edges without a partner
+};
+GgdTerms matching_terms(const LabelledGraph& a, const LabelledGraph& b, const std::vector<std::pair<int, int>>& pairs,
+                        const GgdOptions& options = {});
 
 enum class IlpFormulation { literal, tightened }; // Eq. 4.6 as printed, or as in ERRATA 12
 bool ilp_available();                             // built with GLPK
@@ -141,6 +149,7 @@ struct Candidate {
     bool mirrored =
         false; // the reference, left for right, is the better side (the head decides close questions)
     double distance = 0; // ggd of that side
+    GgdTerms terms;      // what it is the sum of; zero when it was read from a file
     double score = 0;    // what decides; smaller is better; a tie goes to the earlier reference
     // name → contribution to the score, in a fixed order: "graph" (the divided distance), "prior", then the
     // traits of docs/identification.md. Empty unless `use_evidence`. They add up to the score.

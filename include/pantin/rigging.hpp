@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,6 +60,11 @@ struct MappingOptions {
     double mixed_reach = 0.4;
     double unmatched_cost = 12;
 };
+// What Eq. 4.9 to 4.13 find for one end-effector of the character and one of the reference (Fig. 4.15, 4.16).
+struct EndComparison {
+    std::vector<std::vector<double>> distances; // of the paths from the one (rows) to those from the other (columns), Eq. 4.11
+    OsbResult osb;                              // its cost is the similarity cost of the two ends
+};
 struct EndPair {
     int end = 0;           // skeleton vertex
     int reference_end = 0; // reference node
@@ -70,6 +76,10 @@ struct Mapping {
     std::vector<std::vector<double>> costs; // [ends][reference_ends], what the assignment minimises
     std::vector<EndPair> pairs;             // ascending by end
     std::vector<int> unmatched_ends;        // skeleton vertices without a partner, ascending
+    // How the costs came about; empty in a mapping that was read from a file. paths[i][k]: from the i-th end to the (i + 1 + k)-th,
+    // cyclically.
+    std::vector<std::vector<PathSamples>> paths, reference_paths;
+    std::vector<std::vector<EndComparison>> comparisons; // [ends][reference_ends]
 };
 // `labels` has the size of the graph; `match` is the candidate that identification chose for `reference`.
 Mapping map_end_effectors(const SkeletonGraph& graph, const LabelMap& labels, const ReferenceSkeleton& reference,
@@ -80,6 +90,9 @@ Mapping map_end_effectors(const SkeletonGraph& graph, const LabelMap& labels, co
 struct Mesh {
     std::vector<Point2d> vertices;       // working pixels
     std::vector<std::vector<int>> faces; // 3 to 6 corners, convex at rest, clockwise on screen (y down)
+    // Of marching squares, per face: which corners of its voxel lie inside, 1 top left, 2 top right, 4 bottom right, 8 bottom left,
+    // so 1 … 15 (Fig. 4.17); else empty.
+    std::vector<std::uint8_t> cases{};
 };
 struct MeshOptions {
     int cell = 0; // side of a voxel in working pixels; 0: from the size and the thinnest limb (ERRATA 21)

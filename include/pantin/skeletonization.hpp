@@ -1,6 +1,7 @@
 // Step 3 (thesis 3.4, 4.4): part labels to the skeleton graph.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "pantin/geometry.hpp"
@@ -69,6 +70,7 @@ struct Skeletonization {
     std::vector<double> residuals;      // per Voronoi edge
     Mask voronoi_raster;                // edges over the threshold (or the other method's ridges), homotopic to the mask
     Mask thinned;                       // after Zhang–Suen
+    Grid<std::uint16_t> thinned_in;     // the sub-iteration, 1, 2, …, that took a pixel of `voronoi_raster` away; 0: none did
     Mask skeleton;                      // after removal of redundant pixels and cutting of cycles
     SkeletonGraph raw, after_h1, graph; // `graph`: after H1 and H2
 };
@@ -80,7 +82,12 @@ struct Skeletonization {
 Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions& options = {});
 
 // The sub-steps, each usable alone.
-Mask zhang_suen(const Mask& mask);                  // Algorithm 4.1, with ERRATA 5
+struct Thinning {
+    Mask thinned;
+    Grid<std::uint16_t> removed_in; // sub-iteration, 1, 2, …; odd ones test C_c and C_d, even ones C_c' and C_d'; 0: kept, or background
+};
+Thinning zhang_suen_steps(const Mask& mask);        // Algorithm 4.1, with ERRATA 5
+Mask zhang_suen(const Mask& mask);                  // its result alone
 Mask remove_redundant_pixels(const Mask& skeleton); // ERRATA 6
 SkeletonGraph extract_graph(const Mask& skeleton, const LabelMap& labels);
 SkeletonGraph apply_h1(const SkeletonGraph& graph);

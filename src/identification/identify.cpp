@@ -125,6 +125,7 @@ Candidate compare(const LabelledGraph& graph, const ReferenceSkeleton& reference
     candidate.distance = best.distance;
     candidate.optimal = best.optimal;
     candidate.pairs = std::move(best.pairs);
+    candidate.terms = matching_terms(graph, candidate.mirrored ? mirrored(model) : model, candidate.pairs, ggd);
     return candidate;
 }
 

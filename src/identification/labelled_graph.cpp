@@ -1,5 +1,6 @@
 // Labelled geometric graphs: conversion, normalisation and the cost of a matching (thesis 4.5, Eq. 4.7).
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "identification/labelled_graph.hpp"
@@ -29,6 +30,25 @@ void require_one_to_one(const LabelledGraph& a, const LabelledGraph& b, const Ed
             throw Error(ErrorKind::internal,
                         "a matching must be one-to-one between vertices of the two graphs");
     }
+}
+
+// What a matching makes of each vertex and each edge of `a`: its partner in `b`; −1, nothing.
+struct Images {
+    std::vector<int> vertices;
+    std::vector<std::optional<std::pair<int, int>>> edges;
+};
+Images images_of(const LabelledGraph& a, const LabelledGraph& b, const Edges& pairs) {
+    require_one_to_one(a, b, pairs);
+    Images images{std::vector<int>(a.positions.size(), -1), {}};
+    for (const auto& [u, v] : pairs) images.vertices[u] = v;
+    std::set<std::pair<int, int>> edges_b;
+    for (const auto& [u, v] : b.edges) edges_b.emplace(std::min(u, v), std::max(u, v));
+    for (const auto& e : a.edges) {
+        const int u = images.vertices[e.first], v = images.vertices[e.second];
+        const bool matched = u >= 0 && v >= 0 && edges_b.count({std::min(u, v), std::max(u, v)}) > 0;
+        images.edges.push_back(matched ? std::optional(std::pair{u, v}) : std::nullopt);
+    }
+    return images;
 }
 
 } // namespace
@@ -85,22 +105,39 @@ LabelledGraph mirrored(const LabelledGraph& graph) {
 
 double matching_cost(const LabelledGraph& a, const LabelledGraph& b, const Edges& pairs,
                      const GgdOptions& options) {
-    require_one_to_one(a, b, pairs);
-    std::vector<int> image(a.positions.size(), -1);
-    for (const auto& [u, v] : pairs) image[u] = v;
-    std::set<std::pair<int, int>> edges_b;
-    for (const auto& [u, v] : b.edges) edges_b.emplace(std::min(u, v), std::max(u, v));
-
+    const Images images = images_of(a, b, pairs);
     double cost = empty_matching_cost(a, b, options);
-    for (const auto& e : a.edges) {
-        const int u = image[e.first], v = image[e.second];
-        if (u < 0 || v < 0 || !edges_b.count({std::min(u, v), std::max(u, v)})) continue;
-        // |e| + |e'| − ||e| − |e'||
-        cost -= options.k_e * 2 * std::min(edge_length(a, e), edge_length(b, {u, v}));
-    }
-    for (int u = 0; u < std::ssize(image); ++u)
-        if (image[u] >= 0) cost += vertex_cost(a, u, b, image[u], options);
+    for (std::size_t e = 0; e < a.edges.size(); ++e)
+        if (images.edges[e]) // |e| + |e'| − ||e| − |e'||
+            cost -= options.k_e * 2 * std::min(edge_length(a, a.edges[e]), edge_length(b, *images.edges[e]));
+    for (int u = 0; u < std::ssize(images.vertices); ++u)
+        if (images.vertices[u] >= 0) cost += vertex_cost(a, u, b, images.vertices[u], options);
     return cost;
+}
+
+GgdTerms matching_terms(const LabelledGraph& a, const LabelledGraph& b, const Edges& pairs, const GgdOptions& options) {
+    const Images images = images_of(a, b, pairs);
+    GgdTerms terms;
+    for (const auto& e : b.edges) terms.edges_b += options.k_e * edge_length(b, e);
+    for (std::size_t e = 0; e < a.edges.size(); ++e) {
+        const double drawn = edge_length(a, a.edges[e]);
+        if (!images.edges[e]) {
+            terms.edges_a += options.k_e * drawn;
+            continue;
+        }
+        const double partner = edge_length(b, *images.edges[e]);
+        terms.lengths += options.k_e * std::abs(drawn - partner);
+        terms.edges_b -= options.k_e * partner;
+    }
+    terms.edges_b = std::max(0.0, terms.edges_b); // of rounding
+    for (int u = 0; u < std::ssize(images.vertices); ++u) {
+        const int v = images.vertices[u];
+        if (v < 0) continue;
+        const double place = options.k_v * distance(a.positions[u], b.positions[v]);
+        terms.places += place;
+        terms.labels += vertex_cost(a, u, b, v, options) - place;
+    }
+    return terms;
 }
 
 } // namespace pantin

@@ -15,6 +15,8 @@ struct Character {
     std::optional<RgbImage> drawing;
     std::optional<Mask> mask;
     std::optional<LabelMap> labels;
+    std::optional<Segmentation> segmentation;       // when the workshop keeps intermediate products
+    std::optional<Skeletonization> skeletonization; // likewise
     std::optional<SkeletonGraph> skeleton;
     std::optional<Identification> identification;
     std::optional<ReferenceSkeleton> blended; // with --blend

@@ -107,7 +107,7 @@ Detection detect_on(const RgbImage& page, const fs::path& image, Workshop& works
 DetectedPage run_detect(const fs::path& image, const fs::path& out, Workshop& workshop) {
     workshop.progress("detect");
     const Detector detector = workshop.options().detection.detector;
-    const RgbImage page = turned(load_image(picture_of(image)), workshop.settings().rotate);
+    RgbImage page = turned(load_image(picture_of(image)), workshop.settings().rotate);
     std::optional<GivenCharacter> given = given_character(page, image, workshop.settings());
     Detection detection;
     if (given)
@@ -120,6 +120,11 @@ DetectedPage run_detect(const fs::path& image, const fs::path& out, Workshop& wo
     result.page.rotate = workshop.settings().rotate;
     result.page.width = detection.width;
     result.page.height = detection.height;
+
+    if (workshop.keeps) {
+        result.picture = std::move(page);
+        result.ink = detection.ink;
+    }
 
     create_folder(out);
     remove_former_run(out);

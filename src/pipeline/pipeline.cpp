@@ -1,5 +1,8 @@
 // The driver: from a page to animated characters, one step after the other. The file to read first.
 #include "pantin/pipeline.hpp"
+
+#include <algorithm>
+
 #include "pipeline/animated_drawings.hpp"
 #include "pipeline/pages.hpp"
 #include "pipeline/scene.hpp"
@@ -43,7 +46,41 @@ std::string animate_character(Character& character, Workshop& workshop,
     }
 }
 
+bool any_animated(const Page& page) {
+    return std::any_of(page.characters.begin(), page.characters.end(), [](const PageCharacter& c) { return c.status == "ok"; });
+}
+
 } // namespace
+
+DetectedPage run_animate(const fs::path& image, const fs::path& out, Workshop& workshop) {
+    // Step 1 (4.2): the page to characters.
+    DetectedPage detected = run_detect(image, out, workshop);
+
+    const bool scene = workshop.settings().render.scene;
+    for (std::size_t i = 0; i < detected.characters.size(); ++i) {
+        PageCharacter& entry = detected.page.characters[i];
+        Character& character = detected.characters[i];
+        const double total = 1.0 + steps * static_cast<double>(detected.characters.size());
+        entry.status = animate_character(character, workshop, [&](const char* step, int number) {
+            const double done = 1.0 + steps * static_cast<double>(i) + number;
+            workshop.progress(entry.folder + ": " + step, done / total);
+        });
+        if (!scene && !workshop.keeps) character = {}; // its pictures are not needed any more
+    }
+    if (scene && any_animated(detected.page)) {
+        workshop.progress("scene", 1);
+        run_scene(image, out, detected.page, detected.characters, workshop);
+    }
+    write_page(out, detected.page); // last: whoever finds it without unfinished characters finds everything
+    return detected;
+}
+
+void require_animated(const fs::path& image, const Page& page) {
+    if (any_animated(page)) return;
+    std::string reasons;
+    for (const PageCharacter& entry : page.characters) reasons += (reasons.empty() ? "" : "; ") + entry.folder + ": " + entry.status;
+    throw Error(ErrorKind::not_animated, image.string() + ": no character could be animated (" + reasons + ")");
+}
 
 Page animate(const fs::path& image, const fs::path& out, const Settings& settings) {
     Networks networks(settings.weights);
@@ -56,35 +93,9 @@ Page animate(const fs::path& image, const fs::path& out, const Settings& wanted,
     if (is_animated_drawings_folder(image) && settings.given.reference.empty()) settings.given.reference = "humanoid";
     Workshop workshop(settings, networks);
     workshop.prepare();
-
-    // Step 1 (4.2): the page to characters.
-    DetectedPage detected = run_detect(image, out, workshop);
-
-    int animated = 0;
-    std::string reasons;
-    for (std::size_t i = 0; i < detected.characters.size(); ++i) {
-        PageCharacter& entry = detected.page.characters[i];
-        Character& character = detected.characters[i];
-        const double total = 1.0 + steps * static_cast<double>(detected.characters.size());
-        entry.status = animate_character(character, workshop, [&](const char* step, int number) {
-            const double done = 1.0 + steps * static_cast<double>(i) + number;
-            workshop.progress(entry.folder + ": " + step, done / total);
-        });
-        if (entry.status == "ok")
-            ++animated;
-        else
-            reasons += (reasons.empty() ? "" : "; ") + entry.folder + ": " + entry.status;
-        if (!settings.render.scene) character = {}; // its pictures are not needed any more
-    }
-    if (animated > 0 && settings.render.scene) {
-        workshop.progress("scene", 1);
-        run_scene(image, out, detected.page, detected.characters, workshop);
-    }
-    write_page(out, detected.page); // last: whoever finds it without unfinished characters finds everything
-    if (animated == 0)
-        throw Error(ErrorKind::not_animated,
-                    image.string() + ": no character could be animated (" + reasons + ")");
-    return detected.page;
+    Page page = run_animate(image, out, workshop).page;
+    require_animated(image, page);
+    return page;
 }
 
 Page detect_page(const fs::path& image, const fs::path& out, const Settings& settings) {

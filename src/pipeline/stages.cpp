@@ -21,9 +21,11 @@ void run_segment(Character& character, Workshop& workshop) {
     if (workshop.settings().trace) trace_segmentation(character.folder, result);
     save_png(character.folder / "labels.png", result.labels);
     write_file(character.folder / "segmentation.json", segmentation_to_json(result));
-    character.labels = std::move(result.labels);
+    character.labels = result.labels;
     // The files are there: whoever knows better corrects labels.png and goes on with the next step.
-    if (result.sureness < options.least_sureness && result.stroke_ratio > options.scribble_ratio)
+    const bool scribble = result.sureness < options.least_sureness && result.stroke_ratio > options.scribble_ratio;
+    if (workshop.keeps) character.segmentation = std::move(result);
+    if (scribble)
         throw CharacterRejected("segment", "looks like a scribble: many strokes, and no part that the network is sure of");
 }
 
@@ -33,7 +35,8 @@ void run_skeletonize(Character& character, Workshop& workshop) {
     write_file(character.folder / "contour.json", contour_to_json(result.contour));
     save_png(character.folder / "skeleton.png", to_grey(result.skeleton));
     write_file(character.folder / "skeleton.json", skeleton_to_json(result.graph));
-    character.skeleton = std::move(result.graph);
+    character.skeleton = result.graph;
+    if (workshop.keeps) character.skeletonization = std::move(result);
 }
 
 void run_identify(Character& character, Workshop& workshop) {

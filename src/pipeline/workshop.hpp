@@ -38,6 +38,8 @@ public:
     // Loads what a run needs from the start: what is bad shows before anything is written.
     void prepare();
 
+    bool keeps = false; // characters keep the intermediate products of their steps
+
     void progress(const std::string& what, double share = 0) const {
         if (settings_.progress) settings_.progress(what, share);
     }

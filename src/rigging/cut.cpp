@@ -41,6 +41,7 @@ Mesh without_unused(Mesh mesh, std::vector<Owner>& owners) {
     for (std::vector<int>& face : mesh.faces)
         for (int& v : face) v = place[v];
     result.faces = std::move(mesh.faces);
+    result.cases = std::move(mesh.cases);
     owners = std::move(kept);
     return result;
 }

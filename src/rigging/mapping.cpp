@@ -67,25 +67,28 @@ std::vector<std::vector<PathSamples>> all_paths(const Figure& figure, const std:
     return paths;
 }
 
-// c(G_A, G_B) of the thesis.
-Matrix similarity_costs(const Figure& a, const std::vector<int>& ends_a, const Figure& b,
-                        const std::vector<int>& ends_b, const MappingOptions& options) {
-    const auto paths_a = all_paths(a, ends_a, options), paths_b = all_paths(b, ends_b, options);
-    Matrix costs;
-    for (const auto& from_u : paths_a) {
-        std::vector<double> row;
-        for (const auto& from_v : paths_b) {
-            Matrix distances; // Eq. 4.11
-            for (const PathSamples& p : from_u) {
-                distances.emplace_back();
-                for (const PathSamples& q : from_v)
-                    distances.back().push_back(path_distance(p, q, options.alpha));
-            }
-            row.push_back(optimal_subsequence_bijection(distances, options.osb).cost);
-        }
-        costs.push_back(std::move(row));
+EndComparison compare(const std::vector<PathSamples>& from_u, const std::vector<PathSamples>& from_v, const MappingOptions& options) {
+    EndComparison result;
+    for (const PathSamples& p : from_u) {
+        std::vector<double>& row = result.distances.emplace_back();
+        for (const PathSamples& q : from_v) row.push_back(path_distance(p, q, options.alpha));
     }
-    return costs;
+    result.osb = optimal_subsequence_bijection(result.distances, options.osb);
+    return result;
+}
+
+// c(G_A, G_B) of the thesis, and all that leads to it.
+void find_similarity(Mapping& mapping, const Figure& a, const Figure& b, const MappingOptions& options) {
+    mapping.paths = all_paths(a, mapping.ends, options);
+    mapping.reference_paths = all_paths(b, mapping.reference_ends, options);
+    for (const auto& from_u : mapping.paths) {
+        std::vector<EndComparison>& row = mapping.comparisons.emplace_back();
+        std::vector<double>& costs = mapping.costs.emplace_back();
+        for (const auto& from_v : mapping.reference_paths) {
+            row.push_back(compare(from_u, from_v, options));
+            costs.push_back(row.back().osb.cost);
+        }
+    }
 }
 
 // A box to say in it where things are; an empty one says nothing.
@@ -368,7 +371,7 @@ Mapping map_end_effectors(const SkeletonGraph& graph, const LabelMap& labels, co
     Mapping mapping;
     mapping.ends = clockwise(graph, end_effectors(graph));
     mapping.reference_ends = clockwise(model.graph, end_effectors(model.graph));
-    mapping.costs = similarity_costs(character, mapping.ends, model, mapping.reference_ends, options);
+    find_similarity(mapping, character, model, options);
     if (!options.label_aware) {
         list_pairs(mapping, hungarian(mapping.costs));
         return mapping;

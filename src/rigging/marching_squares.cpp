@@ -162,21 +162,24 @@ private:
             if (node.side * next.side < 0) polygon.push_back({edge_vertex(node.corner, next.corner), true});
         }
         if (polygon.size() < 3) return;
+        std::uint8_t inside = 0;
+        for (int i = 0; i < 4; ++i) inside |= static_cast<std::uint8_t>((field_(nodes[i].corner.x, nodes[i].corner.y) > 0) << i);
         const bool ambiguous = nodes[0].side == nodes[2].side && nodes[1].side == nodes[3].side &&
                                nodes[0].side * nodes[1].side < 0;
         if (ambiguous && !joined(x, y))
-            add_two_triangles(polygon);
+            add_two_triangles(polygon, inside);
         else
-            add_face(polygon);
+            add_face(polygon, inside);
     }
-    void add_face(const std::vector<Corner>& polygon) {
+    void add_face(const std::vector<Corner>& polygon, std::uint8_t inside) {
+        mesh_.cases.push_back(inside);
         std::vector<int>& face = mesh_.faces.emplace_back();
         for (const Corner& corner : polygon) face.push_back(corner.vertex);
     }
-    void add_two_triangles(const std::vector<Corner>& polygon) {
+    void add_two_triangles(const std::vector<Corner>& polygon, std::uint8_t inside) {
         const int n = static_cast<int>(polygon.size());
         for (int i = 0; i < n; ++i)
-            if (!polygon[i].on_edge) add_face({polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n]});
+            if (!polygon[i].on_edge) add_face({polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n]}, inside);
     }
 
     const DistanceField& field_;

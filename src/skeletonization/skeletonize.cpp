@@ -2,6 +2,7 @@
 #include "pantin/skeletonization.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "pantin/image.hpp"
 #include "skeletonization/chordal_ridges.hpp"
@@ -68,7 +69,9 @@ void find_graph(Skeletonization& s, const BorderSites& sites, const LabelMap& pa
     if (options.recover_parts_share > 0)
         ridges = anchor_missing_parts(ridges, s.mask, parts, options.recover_parts_share);
     s.voronoi_raster = restore_topology(ridges, s.mask);
-    s.thinned = zhang_suen(s.voronoi_raster);
+    Thinning thinning = zhang_suen_steps(s.voronoi_raster);
+    s.thinned = std::move(thinning.thinned);
+    s.thinned_in = std::move(thinning.removed_in);
     // It deletes a 2×2 square as a whole; the shape then keeps its deepest pixel.
     if (area(s.thinned) == 0) s.thinned = restore_topology(s.thinned, s.mask);
     s.skeleton = remove_redundant_pixels(s.thinned);

@@ -31,13 +31,16 @@ std::array<bool, 256> deletable(bool second) {
 
 } // namespace
 
-Mask zhang_suen(const Mask& mask) {
+Thinning zhang_suen_steps(const Mask& mask) {
     static const std::array<std::array<bool, 256>, 2> tables = {deletable(false), deletable(true)};
-    Mask image = mask;
+    Thinning result{mask, Grid<std::uint16_t>(mask.width(), mask.height())};
+    Mask& image = result.thinned;
     std::vector<Point2i> foreground = foreground_pixels(image), marked; // `marked` is M
+    std::uint16_t step = 0;
     for (bool changed = true; changed;) {
         changed = false;
         for (const auto& table : tables) {
+            ++step;
             marked.clear();
             std::size_t kept = 0;
             for (const Point2i p : foreground) {
@@ -47,12 +50,17 @@ Mask zhang_suen(const Mask& mask) {
                     foreground[kept++] = p;
             }
             foreground.resize(kept);
-            for (const Point2i p : marked) image(p.x, p.y) = 0;
+            for (const Point2i p : marked) {
+                image(p.x, p.y) = 0;
+                result.removed_in(p.x, p.y) = step;
+            }
             changed |= !marked.empty();
         }
     }
-    return image;
+    return result;
 }
+
+Mask zhang_suen(const Mask& mask) { return zhang_suen_steps(mask).thinned; }
 
 Mask remove_redundant_pixels(const Mask& skeleton) {
     Mask image = skeleton;

@@ -46,6 +46,26 @@ Mapped map_figure(const LabelMap& labels, const std::string& expected, const Map
 
 } // namespace
 
+TEST_CASE("a mapping tells how its costs came about") {
+    const ReferenceSkeleton reference = load_references().front();
+    const Figure figure = draw_reference(reference, false);
+    MappingOptions options;
+    options.label_aware = false;
+    const Mapping mapping = map_end_effectors(figure.graph, mask_of(figure), reference, {}, options);
+    const std::size_t n = mapping.ends.size(), m = mapping.reference_ends.size();
+    REQUIRE(mapping.paths.size() == n);
+    REQUIRE(mapping.comparisons.size() == n);
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < m; ++j) {
+            const EndComparison& c = mapping.comparisons[i][j];
+            REQUIRE(c.osb.cost == mapping.costs[i][j]);
+            REQUIRE(c.distances.size() == n - 1);
+            for (std::size_t k = 0; k + 1 < n; ++k)
+                for (std::size_t l = 0; l + 1 < m; ++l)
+                    REQUIRE(c.distances[k][l] == path_distance(mapping.paths[i][k], mapping.reference_paths[j][l], options.alpha));
+        }
+}
+
 TEST_CASE("each reference maps onto itself, mirrored or not, with and without labels") {
     for (const ReferenceSkeleton& reference : load_references())
         for (const bool mirrored : {false, true}) {

@@ -204,3 +204,21 @@ TEST_CASE("an empty mask has an empty mesh, a full one covers the image and the 
     const Mesh mesh = marching_squares(Mask(20, 12, 1), options_with(4));
     CHECK(area_of(mesh) == Approx(20 * 12).epsilon(0.1));
 }
+
+TEST_CASE("every face knows which corners of its voxel lie inside") {
+    Random random(5);
+    for (int round = 0; round < 20; ++round) {
+        const Mask mask = random_blobs(random, 48, 6);
+        const int cell = random.integer(2, 6);
+        const Mesh mesh = marching_squares(mask, options_with(cell, false));
+        REQUIRE(mesh.cases.size() == mesh.faces.size());
+        for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+            Point2d middle;
+            for (const int v : mesh.faces[f]) middle = middle + 1.0 / static_cast<double>(mesh.faces[f].size()) * mesh.vertices[v];
+            const int x = static_cast<int>(std::floor(middle.x / cell)) * cell, y = static_cast<int>(std::floor(middle.y / cell)) * cell;
+            const int expected = mask.value_or(x, y, 0) | mask.value_or(x + cell, y, 0) << 1 | mask.value_or(x + cell, y + cell, 0) << 2 |
+                                 mask.value_or(x, y + cell, 0) << 3;
+            REQUIRE(int(mesh.cases[f]) == expected);
+        }
+    }
+}

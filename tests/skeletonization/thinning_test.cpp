@@ -8,10 +8,13 @@ using namespace pantin::test;
 namespace {
 
 // Algorithm 4.1 word for word, pixel by pixel, without tables.
-Mask literal_zhang_suen(Mask image) {
+Thinning literal_zhang_suen(Mask image) {
+    Grid<std::uint16_t> removed_in(image.width(), image.height());
+    std::uint16_t step = 0;
     for (bool changed = true; changed;) {
         changed = false;
         for (const bool second : {false, true}) {
+            ++step;
             Mask marked(image.width(), image.height());
             for (int y = 0; y < image.height(); ++y)
                 for (int x = 0; x < image.width(); ++x) {
@@ -27,11 +30,12 @@ Mask literal_zhang_suen(Mask image) {
                     const int d = second ? p2 * p6 * p8 : p4 * p6 * p8;
                     marked(x, y) = b >= 2 && b <= 6 && a == 1 && c == 0 && d == 0;
                     changed |= marked(x, y) != 0;
+                    if (marked(x, y)) removed_in(x, y) = step;
                 }
             for (std::size_t i = 0; i < image.size(); ++i) image.data()[i] -= marked.data()[i];
         }
     }
-    return image;
+    return {image, removed_in};
 }
 
 } // namespace
@@ -67,7 +71,9 @@ TEST_CASE("Zhang-Suen equals the algorithm word for word") {
         Mask mask = random_blob(random, random.integer(8, 40));
         if (round % 3 == 0)
             for (auto& pixel : mask) pixel = random.chance(0.7);
-        REQUIRE(zhang_suen(mask) == literal_zhang_suen(mask));
+        const Thinning expected = literal_zhang_suen(mask), found = zhang_suen_steps(mask);
+        REQUIRE(found.thinned == expected.thinned);
+        REQUIRE(found.removed_in == expected.removed_in);
     }
 }
 
