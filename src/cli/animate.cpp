@@ -15,7 +15,7 @@ struct Arguments {
     RenderFlags render;
     std::vector<std::string> images;
     std::string out;
-    std::string mask, labels, reference; // given by the user
+    Given given;
 };
 
 // One page goes to DIR itself, several to DIR/<name of the picture without its ending>; the second of a name
@@ -43,8 +43,8 @@ void animate_page(const fs::path& image, const fs::path& folder, const Arguments
 // code of the first page.
 int run_animate(const Arguments& arguments) {
     Settings settings = make_settings(arguments.common, arguments.render);
-    settings.given = {arguments.mask, arguments.labels, arguments.reference};
-    if (arguments.images.size() > 1 && !(arguments.mask.empty() && arguments.labels.empty()))
+    settings.given = arguments.given;
+    if (arguments.images.size() > 1 && !(arguments.given.mask.empty() && arguments.given.labels.empty()))
         throw Error(ErrorKind::usage, "--mask and --labels go with one page");
     const std::vector<fs::path> folders = page_folders(arguments);
     Networks networks(settings.weights);
@@ -73,9 +73,7 @@ void add_animate(CLI::App& app, Run& run) {
     command->add_option("-o,--output", arguments->out, "folder for the results")->required();
     add_render_options(*command, arguments->render);
     command->add_flag("--scene", arguments->render.scene, "the whole page comes alive, too: DIR/scene.webp, scene.gif");
-    command->add_option("--mask", arguments->mask, "PNG of the page's size, white where the one character is: no detection");
-    command->add_option("--labels", arguments->labels, "PNG of the page's size with part labels 0 to 5: no segmentation");
-    command->add_option("--reference", arguments->reference, "what every character moves like, whatever identification says");
+    add_given_options(*command, arguments->given);
     add_motion_options(*command, arguments->common);
     add_animated_drawings_option(*command, arguments->common);
     add_rotate_option(*command, arguments->common);

@@ -96,6 +96,12 @@ void add_animated_drawings_option(CLI::App& command, CommonOptions& options) {
                      "write humanoids as AnimatedDrawings character folders, too");
 }
 
+void add_given_options(CLI::App& command, Given& given) {
+    command.add_option("--mask", given.mask, "PNG of the page's size, white where the one character is: no detection");
+    command.add_option("--labels", given.labels, "PNG of the page's size with part labels 0 to 5: no segmentation");
+    command.add_option("--reference", given.reference, "what every character moves like, whatever identification says");
+}
+
 void add_render_options(CLI::App& command, RenderFlags& flags) {
     command.add_option("--clip", flags.clip, "a clip of the reference, or all")->capture_default_str();
     command.add_option("--fps", flags.fps, "frames per second, 1 to 100")->capture_default_str();

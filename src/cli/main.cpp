@@ -45,6 +45,7 @@ int run_command_line(int argc, char** argv) {
     app.footer(exit_codes);
     cli::add_animate(app, run);
     cli::add_steps(app, run);
+    cli::add_explain(app, run);
     cli::add_model(app, run);
     cli::add_manual(app, run);
     cli::add_completion(app, run);

@@ -7,6 +7,7 @@
 #include "core/file.hpp"
 #include "pantin/export.hpp"
 #include "pantin/image.hpp"
+#include "pantin/network.hpp"
 
 namespace pantin {
 
@@ -47,6 +48,20 @@ Film blank_film(double duration, double fps) {
     Film film;
     film.frames.resize(static_cast<std::size_t>(std::max(1.0, std::rint(duration * fps))));
     film.fps = static_cast<double>(film.frames.size()) / duration;
+    return film;
+}
+
+Film shoot(const Rig& rig, const BoneAnimation& animation, const RgbaImage& texture, const View& view,
+           const Settings& settings) {
+    Film film = blank_film(animation.duration, settings.render.fps);
+    const FrameRenderer renderer(rig, texture, view, settings.render.picture);
+    const network::Runtime runtime(settings.threads);
+    runtime.parallel_for(static_cast<int>(film.frames.size()), [&](int frame) {
+        const auto i = static_cast<std::size_t>(frame);
+        const double time =
+            animation.duration * static_cast<double>(i) / static_cast<double>(film.frames.size());
+        film.frames[i] = renderer(skin(rig, animation, time));
+    });
     return film;
 }
 

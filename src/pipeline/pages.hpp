@@ -23,6 +23,8 @@ DetectedPage run_detect(const std::filesystem::path& image, const std::filesyste
 // All steps with their files: the page and its characters, which stay in memory when the workshop keeps intermediate products. When no
 // character could be animated the page says why.
 DetectedPage run_animate(const std::filesystem::path& image, const std::filesystem::path& out, Workshop& workshop);
+// As wanted, and what follows from the kind of input: the characters of AnimatedDrawings are human figures.
+Settings settings_for(const std::filesystem::path& image, const Settings& wanted);
 // Error(not_animated) names the reasons when the status of no character is "ok".
 void require_animated(const std::filesystem::path& image, const Page& page);
 

@@ -75,6 +75,12 @@ DetectedPage run_animate(const fs::path& image, const fs::path& out, Workshop& w
     return detected;
 }
 
+Settings settings_for(const fs::path& image, const Settings& wanted) {
+    Settings settings = wanted;
+    if (is_animated_drawings_folder(image) && settings.given.reference.empty()) settings.given.reference = "humanoid";
+    return settings;
+}
+
 void require_animated(const fs::path& image, const Page& page) {
     if (any_animated(page)) return;
     std::string reasons;
@@ -88,9 +94,7 @@ Page animate(const fs::path& image, const fs::path& out, const Settings& setting
 }
 
 Page animate(const fs::path& image, const fs::path& out, const Settings& wanted, Networks& networks) {
-    Settings settings = wanted;
-    // Their characters are human figures.
-    if (is_animated_drawings_folder(image) && settings.given.reference.empty()) settings.given.reference = "humanoid";
+    const Settings settings = settings_for(image, wanted);
     Workshop workshop(settings, networks);
     workshop.prepare();
     Page page = run_animate(image, out, workshop).page;

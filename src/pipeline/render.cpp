@@ -1,10 +1,8 @@
-// Step 6: the clips as frames, and the frames as files. Frames do not depend on each other, so threads share
-// them out.
+// Step 6: the clips as films.
 #include <algorithm>
 #include <iterator>
 
 #include "core/file.hpp"
-#include "pantin/network.hpp"
 #include "pipeline/clips.hpp"
 #include "pipeline/film.hpp"
 #include "pipeline/stages.hpp"
@@ -12,20 +10,6 @@
 namespace pantin {
 
 namespace {
-
-Film shoot(const Rig& rig, const BoneAnimation& animation, const RgbaImage& texture, const View& view,
-           const Settings& settings) {
-    Film film = blank_film(animation.duration, settings.render.fps);
-    const FrameRenderer renderer(rig, texture, view, settings.render.picture);
-    const network::Runtime runtime(settings.threads);
-    runtime.parallel_for(static_cast<int>(film.frames.size()), [&](int frame) {
-        const auto i = static_cast<std::size_t>(frame);
-        const double time =
-            animation.duration * static_cast<double>(i) / static_cast<double>(film.frames.size());
-        film.frames[i] = renderer(skin(rig, animation, time));
-    });
-    return film;
-}
 
 // The animations to show, by name. CharacterRejected when there is none.
 std::vector<BoneAnimation> chosen(const std::vector<BoneAnimation>& all, const std::string& reference,

@@ -1,0 +1,44 @@
+// pantin explain IMAGE -o DIR
+#include <memory>
+
+#include "cli/command.hpp"
+#include "pantin/explain.hpp"
+
+namespace pantin::cli {
+
+namespace {
+
+struct Arguments {
+    CommonOptions common;
+    RenderFlags render;
+    Given given;
+    std::string image, out;
+};
+
+int run_explain(const Arguments& arguments) {
+    const std::filesystem::path out = arguments.out;
+    Settings settings = make_settings(arguments.common, arguments.render);
+    settings.given = arguments.given;
+    explain(arguments.image, out, settings);
+    clear_progress();
+    print_result(arguments.common, (out / "index.html").string());
+    return 0;
+}
+
+} // namespace
+
+void add_explain(CLI::App& app, Run& run) {
+    const auto arguments = std::make_shared<Arguments>();
+    CLI::App* command = app.add_subcommand("explain", "the whole pipeline, and a page that shows what every step did: DIR/index.html");
+    command->add_option("IMAGE", arguments->image, "PNG or JPEG page, or AnimatedDrawings character folder")->required();
+    command->add_option("-o,--output", arguments->out, "folder for the results")->required();
+    add_render_options(*command, arguments->render);
+    add_given_options(*command, arguments->given);
+    add_motion_options(*command, arguments->common);
+    add_rotate_option(*command, arguments->common);
+    add_detector_option(*command, arguments->common);
+    add_common_options(*command, arguments->common);
+    command->callback([arguments, &run] { run = [arguments] { return run_explain(*arguments); }; });
+}
+
+} // namespace pantin::cli

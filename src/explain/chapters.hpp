@@ -1,0 +1,43 @@
+// The chapters of the page, one for each thing that a step makes. Each says with what its template (assets/chapters/<name>.html) is filled.
+#pragma once
+
+#include <string>
+
+#include "explain/markup.hpp"
+#include "pipeline/pages.hpp"
+
+namespace pantin {
+
+// A character as far as it came, with its intermediate products.
+struct CharacterStory {
+    std::string id;             // of its elements on the page: the name of its folder
+    const PageCharacter& entry; // of page.json
+    Character& character;
+    Workshop& workshop;
+
+    int width() const { return mask_of(character).width(); } // working size
+    int height() const { return mask_of(character).height(); }
+    double line() const { return std::max(width(), height()) / 321.0; } // width of a thin line
+    std::string drawing() const { return id + "-drawing"; }
+    std::string element(const std::string& name) const { return id + "-" + name; }
+};
+
+// Of the page.
+Values page_chapter(const DetectedPage& detected);
+
+// Of a character. Those of a step that was not reached are not asked for.
+Values silhouette_chapter(const CharacterStory& story);
+Values segment_chapter(const CharacterStory& story);
+Values contour_chapter(const CharacterStory& story);
+Values voronoi_chapter(const CharacterStory& story);
+Values thinning_chapter(const CharacterStory& story);
+Values graph_chapter(const CharacterStory& story);
+Values identify_chapter(const CharacterStory& story);
+Values paths_chapter(const CharacterStory& story);
+Values assignment_chapter(const CharacterStory& story);
+Values mesh_chapter(const CharacterStory& story);
+Values weights_chapter(const CharacterStory& story);
+Values motion_chapter(const CharacterStory& story);
+Values solid_chapter(const CharacterStory& story);
+
+} // namespace pantin

@@ -1,0 +1,89 @@
+// Step 6, and beyond the plane: the clips on the character, flat and inflated.
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "explain/chapters.hpp"
+#include "explain/picture_size.hpp"
+#include "pantin/export.hpp"
+#include "pantin/image.hpp"
+#include "pipeline/clips.hpp"
+#include "pipeline/film.hpp"
+
+namespace pantin {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int film_side = 280;
+constexpr double film_fps = 12.5;
+
+std::string glb_uri(const Rig& rig, const RgbaImage& texture, const std::vector<BoneAnimation>& animations) {
+    return data_uri("model/gltf-binary", to_glb(rig, texture, animations));
+}
+
+// The first clip as a small film that needs no script; nothing when this program writes no such films.
+std::string film_uri(const Rig& rig, const RgbaImage& texture, const std::vector<BoneAnimation>& animations, const CharacterStory& story) {
+    Settings settings = story.workshop.settings();
+    settings.render.fps = film_fps;
+    settings.render.picture = {};
+    settings.render.picture.size = film_side;
+    settings.render.picture.background = {255, 255, 255, 255};
+    const Film film = shoot(rig, animations.front(), texture, view_of(rig, animations), settings);
+    if (webp_available()) return data_uri("image/webp", encode_webp(film.frames, film.fps));
+    return data_uri("image/apng", encode_apng(film.frames, film.fps));
+}
+
+std::string clip_options(const std::vector<BoneAnimation>& animations) {
+    std::string text;
+    for (const BoneAnimation& a : animations)
+        text += "<option>" + escaped(a.name) + "</option>";
+    return text;
+}
+
+std::string film_element(const std::string& uri, const std::string& name) {
+    return "<img class=\"film\" alt=\"The character playing its clip " + escaped(name) + "\" src=\"" + uri + "\">";
+}
+
+Json viewer_data(const std::string& glb, const Rig& rig) {
+    Json data;
+    data["glb"] = glb;
+    data["width"] = rig.width;
+    data["height"] = rig.height;
+    return data;
+}
+
+} // namespace
+
+Values motion_chapter(const CharacterStory& story) {
+    Character& character = story.character;
+    const Rig& rig = *character.rig;
+    const std::vector<BoneAnimation> animations = animations_of(rig, reference_of(character, story.workshop), story.workshop);
+    if (animations.empty()) return {{"film", "<p>The reference has no clips.</p>"}, {"clips", ""}, {"data", "null"}, {"facts", ""}};
+    const RgbaImage texture = make_texture(small_drawing(character), labels_of(character));
+    std::string facts;
+    for (const BoneAnimation& a : animations)
+        facts += "<tr><td>" + escaped(a.name) + "</td><td>" + decimal(a.duration, 2) + "</td><td>" + decimal(a.ground_speed, 2) + "</td></tr>";
+    return {{"film", film_element(film_uri(rig, texture, animations, story), animations.front().name)}, {"clips", clip_options(animations)},
+            {"data", script_json(viewer_data(glb_uri(rig, texture, animations), rig))}, {"facts", facts}};
+}
+
+Values solid_chapter(const CharacterStory& story) {
+    Character& character = story.character;
+    const LabelMap& labels = labels_of(character);
+    Model model(strokes_from_labels(labels), story.workshop.options().modeling);
+    const SolidMesh mesh = model.united();
+    ModelView view;
+    view.width = labels.width();
+    view.height = labels.height();
+    const Rig rig = lifted(*character.rig, model, mesh, view);
+    const std::vector<BoneAnimation> animations = animations_of(rig, reference_of(character, story.workshop), story.workshop);
+    const RgbaImage texture = make_solid_texture(small_drawing(character), labels);
+    Values values = {{"clips", clip_options(animations)}, {"parts", std::to_string(model.parts().size())}, {"triangles", std::to_string(mesh.triangles.size())},
+                     {"vertices", std::to_string(mesh.vertices.size())}, {"data", script_json(viewer_data(glb_uri(rig, texture, animations), rig))}};
+    values["film"] = animations.empty() ? "" : film_element(film_uri(rig, texture, animations, story), animations.front().name);
+    return values;
+}
+
+} // namespace pantin
