@@ -1,11 +1,11 @@
 # Pantin. `make demo` and `make test` do everything on a fresh Debian 12, set-up included.
 #   config=release|debug|sanitize   objects and programs go to build/$(config)/
-#   GLPK=0 WEBP=0 GIF=0 YAML=0             build without that library;  STATIC=1  one static binary
+#   GLPK=0 WEBP=0 GIF=0 YAML=0 PUGIXML=0   build without that library;  STATIC=1  one static binary, in build/static
 #   werror=1                        warnings are errors (CI);    CXX=clang++  another compiler
 #   V=1                             shows the commands
 
 config ?= release
-BUILD ?= build/$(config)
+BUILD ?= build/$(if $(filter 1,$(STATIC)),static,$(config))
 PREFIX ?= /usr/local
 DESTDIR ?=
 INSTALL ?= install
@@ -24,13 +24,14 @@ GLPK ?= $(call have,glpk.h)
 WEBP ?= $(call have,webp/mux.h)
 GIF ?= $(call have,gif_lib.h)
 YAML ?= $(call have_cxx,yaml-cpp/yaml.h)
+PUGIXML ?= $(call have_cxx,pugixml.hpp)
 
 # Determinism: no contraction of a*b+c, no fast-math, on any compiler (docs/determinism.md).
 CPPFLAGS += -Iinclude -Isrc -Itools -isystem /usr/include/eigen3 -DPANTIN_VERSION='"$(VERSION)"' \
             -DEIGEN_DONT_VECTORIZE -DEIGEN_DONT_PARALLELIZE -DEIGEN_MPL2_ONLY
 CXXFLAGS += -std=c++20 -Wall -Wextra -ffp-contract=off -ffile-prefix-map=$(CURDIR)=. -pthread
 LDFLAGS += -pthread
-LDLIBS := -lpugixml
+LDLIBS :=
 
 ifeq ($(config),release)
   CXXFLAGS += -O2
@@ -60,14 +61,17 @@ ifeq ($(GLPK),1)
 endif
 ifeq ($(WEBP),1)
   CPPFLAGS += -DPANTIN_WEBP=1
-  LDLIBS += -lwebpmux -lwebp
-  TEST_LDLIBS += -lwebpdemux
+  LDLIBS += -lwebpmux -lwebpdemux -lwebp
 endif
 ifeq ($(GIF),1)
   CPPFLAGS += -DPANTIN_GIF=1
   LDLIBS += -lgif
 endif
 
+ifeq ($(PUGIXML),1)
+  CPPFLAGS += -DPANTIN_PUGIXML=1
+  LDLIBS += -lpugixml
+endif
 ifeq ($(YAML),1)
   CPPFLAGS += -DPANTIN_YAML=1
   LDLIBS += -lyaml-cpp
@@ -76,6 +80,9 @@ endif
 SOURCES := $(sort $(wildcard src/*/*.cpp src/*/*/*.cpp))
 ifneq ($(GLPK),1)
   SOURCES := $(filter-out src/identification/glpk/%,$(SOURCES))
+endif
+ifneq ($(PUGIXML),1)
+  SOURCES := $(filter-out src/modeling/strokes_svg.cpp,$(SOURCES))
 endif
 LIB_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out src/cli/main.cpp,$(SOURCES))) $(BUILD)/resources.o
 DOODLE_SOURCES := $(sort $(wildcard tools/doodle/*.cpp))
@@ -86,8 +93,11 @@ COMPARE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/compare
 TORCH_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out tools/compare_torch/main.cpp,$(sort $(wildcard tools/compare_torch/*.cpp))))
 EVALUATE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/identification/*.cpp)))
 RESOURCES := $(sort $(wildcard weights/*.safetensors references/*.json src/explain/assets/*.* src/explain/assets/*/*.*))
+VECTORS := $(sort $(shell find testdata/vectors)) # folders, too, so that a file that goes away counts
+# The folder $(2) of $(1) as an archive whose bytes depend on its files alone.
+pack = tar -C $(1) --format=ustar --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX -cf - $(2) | gzip -9 -n
 
-.PHONY: all demo demo-run test test-run sanitize bench install install-files uninstall clean deps doodle check-gltf
+.PHONY: verify update-verify verify-arm64 vectors vectors-files all demo demo-run test test-run sanitize bench install install-files uninstall clean deps doodle check-gltf
 all: $(BUILD)/pantin
 
 # Set-up happens in a first make, so that the second one sees the libraries that were just installed. The second one uses
@@ -114,6 +124,30 @@ bench: $(BUILD)/bench
 
 doodle: $(BUILD)/doodle
 
+# Every stage against the stored results; `update-verify` stores them anew after a change that is meant to change them.
+verify: $(BUILD)/pantin
+	$(BUILD)/pantin verify
+update-verify: $(BUILD)/pantin
+	$(BUILD)/pantin verify --end-to-end --quiet -o testdata/vectors || [ $$? = 8 ]
+	@$(MAKE) --no-print-directory verify
+# The same on aarch64, emulated. Debian: crossbuild-essential-arm64 qemu-user-static.
+verify-arm64:
+	@$(MAKE) --no-print-directory CXX=aarch64-linux-gnu-g++ AR=aarch64-linux-gnu-ar BUILD=build/arm64 STATIC=1 \
+	    GLPK=0 WEBP=0 GIF=0 YAML=0 PUGIXML=0 build/arm64/pantin
+	qemu-aarch64-static build/arm64/pantin verify
+
+# Reference vectors for other implementations (testdata/vectors/README.md) as an archive; the same bytes every time.
+vectors_out ?= build/vectors
+vectors_name = pantin-vectors-$(VERSION)
+vectors: $(BUILD)/pantin vectors-files
+vectors-files:
+	rm -rf $(vectors_out)/$(vectors_name)
+	$(BUILD)/pantin verify --quiet -o $(vectors_out)/$(vectors_name)
+	cp -r testdata/vectors/README.md weights references $(vectors_out)/$(vectors_name)/
+	cd $(vectors_out)/$(vectors_name) && find * -type f | LC_ALL=C sort | xargs sha256sum > ../$(vectors_name).sums
+	mv $(vectors_out)/$(vectors_name).sums $(vectors_out)/$(vectors_name)/SHA256SUMS
+	$(call pack,$(vectors_out),$(vectors_name)) > $(vectors_out)/$(vectors_name).tar.gz
+
 check-gltf: demo
 	tools/check_gltf.sh out/demo
 
@@ -125,7 +159,7 @@ $(BUILD)/libpantin.a: $(LIB_OBJECTS)
 $(BUILD)/doodle: $(BUILD)/tools/doodle/main.o $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
 	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 $(BUILD)/pantin-tests: $(TEST_OBJECTS) $(DOODLE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/libpantin.a
-	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(TEST_LDLIBS) $(LDLIBS)
+	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 $(BUILD)/tests/%.o: CPPFLAGS += -Itests
 # Tests take longer to compile than to run; instrumented assertions and option parsers most of all.
 $(BUILD)/tests/%.o: CXXFLAGS += -O$(if $(filter release,$(config)),1,0)
@@ -146,9 +180,12 @@ $(BUILD)/motion_quality: $(BUILD)/tools/motion_quality/main.o $(BUILD)/libpantin
 	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
 # Weights and references are compiled in, so that the program is one file that runs anywhere.
-$(BUILD)/resources.S: tools/embed.sh $(RESOURCES) Makefile
+$(BUILD)/resources.S: tools/embed.sh $(RESOURCES) $(BUILD)/vectors.tar.gz Makefile
 	@mkdir -p $(@D)
-	$(call run,DATA)tools/embed.sh $(RESOURCES) > $@.tmp && mv $@.tmp $@
+	$(call run,DATA)tools/embed.sh $(RESOURCES) vectors.tar.gz=$(BUILD)/vectors.tar.gz > $@.tmp && mv $@.tmp $@
+$(BUILD)/vectors.tar.gz: $(VECTORS) Makefile
+	@mkdir -p $(@D)
+	$(call run,DATA)$(call pack,testdata,vectors) > $@.tmp && mv $@.tmp $@
 $(BUILD)/resources.o: $(BUILD)/resources.S
 	$(call run,AS)$(CXX) -c -o $@ $<
 

@@ -1,11 +1,11 @@
 #!/bin/sh
 # Writes an assembly file that holds the given files, and the table that src/core/resources.cpp reads:
-# pantin_resources = {name, begin, end}…, closed by a null name. Usage: tools/embed.sh FILE… > resources.S
+# pantin_resources = {name, begin, end}…, closed by a null name. Usage: tools/embed.sh [NAME=]FILE… > resources.S
 set -eu
 echo '    .section .rodata'
 i=0
 for file in "$@"; do
-    printf '    .balign 64\nfile_%d:\n    .incbin "%s"\nfile_end_%d:\n    .byte 0\nname_%d:\n    .asciz "%s"\n' "$i" "$file" "$i" "$i" "$file"
+    printf '    .balign 64\nfile_%d:\n    .incbin "%s"\nfile_end_%d:\n    .byte 0\nname_%d:\n    .asciz "%s"\n' "$i" "${file#*=}" "$i" "$i" "${file%%=*}"
     i=$((i + 1))
 done
 printf '    .section .data.rel.ro,"aw"\n    .balign 8\n    .globl pantin_resources\npantin_resources:\n'

@@ -37,3 +37,10 @@ small="--size 320 --photo 0 --paper 0 --colour 0 --pen 3 --fill 0.95"
 draw labels_humanoid.png label 21 6 --types humanoid $small
 draw labels_quadruped.png label 22 8 --types quadruped $small
 draw labels_flying.png label 23 5 --types flying $small
+
+# the drawings of `pantin verify`
+tiny="--size 200 --photo 0 --paper 0 --colour 0 --pen 2.5 --fill 0.9"
+mkdir -p "$out/vectors/humanoid" "$out/vectors/quadruped" "$out/vectors/flyer"
+draw vectors/humanoid/page.png image 21 17 --types humanoid $tiny
+draw vectors/quadruped/page.png image 22 55 --types quadruped $tiny
+draw vectors/flyer/page.png image 23 52 --types flying $tiny

@@ -16,6 +16,7 @@ enum class ErrorKind {
     weights = 5,      // weights missing or invalid
     output = 6,       // an output cannot be written
     not_animated = 7, // characters were found, but none could be animated
+    differs = 8,      // `verify`: results are not those that they are compared with
 };
 
 class Error : public std::runtime_error {

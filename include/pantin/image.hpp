@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "pantin/error.hpp"
@@ -28,6 +30,11 @@ GreyImage turned(GreyImage image, int degrees);
 // may have saved it with colour channels or a palette as long as every pixel is grey; fully transparent
 // pixels count as 0. Throws Error(input) naming the file.
 GreyImage load_grey(const std::filesystem::path& file);
+// The same from memory; `source` stands for the file in messages.
+RgbImage decode_image(std::span<const unsigned char> bytes, const std::string& source, int min_side = min_image_side);
+GreyImage decode_grey(std::span<const unsigned char> bytes, const std::string& source);
+// A PNG of any kind with its colours and its alpha as they are stored.
+RgbaImage decode_rgba(std::span<const unsigned char> bytes, const std::string& source);
 
 // PNG, written to a temporary name in the same folder and renamed. Values as given (a Mask must be scaled to
 // 255). Throws Error(output) naming the file.

@@ -57,6 +57,7 @@ void add_evaluate(CLI::App& app, Run& run);
 void add_model(CLI::App& app, Run& run);
 void add_batch(CLI::App& app, Run& run);
 void add_explain(CLI::App& app, Run& run);
+void add_verify(CLI::App& app, Run& run);
 void add_manual(CLI::App& app, Run& run);
 void add_completion(CLI::App& app, Run& run);
 

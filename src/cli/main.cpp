@@ -23,7 +23,7 @@ constexpr int exit_output = static_cast<int>(ErrorKind::output);
 constexpr const char* exit_codes =
     "Exit codes: 0 done, 1 internal error, 2 usage, 3 input unreadable or invalid,\n"
     "4 no character found, 5 weights missing or invalid, 6 output cannot be written,\n"
-    "7 characters found but none could be animated.";
+    "7 characters found but none could be animated, 8 results differ (verify).";
 
 // Help and version go to standard output, everything else that CLI11 reports is a usage error.
 int report_parse(const CLI::App& app, const CLI::ParseError& error) {
@@ -51,6 +51,7 @@ int run_command_line(int argc, char** argv) {
     cli::add_completion(app, run);
     cli::add_evaluate(app, run);
     cli::add_batch(app, run);
+    cli::add_verify(app, run);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -21,38 +21,38 @@ struct FreePixels {
 };
 using Pixels = std::unique_ptr<unsigned char, FreePixels>;
 
-[[noreturn]] void invalid(const std::filesystem::path& file, const std::string& fact) {
-    throw Error(ErrorKind::input, file.string() + ": " + fact);
+using Bytes = std::span<const unsigned char>;
+
+[[noreturn]] void invalid(const std::string& source, const std::string& fact) {
+    throw Error(ErrorKind::input, source + ": " + fact);
 }
 
 // Everything that can be known before a pixel is decoded: kind, dimensions, completeness.
-ContainerInfo check_container(const std::filesystem::path& file, const std::vector<unsigned char>& bytes,
-                              int min_side) {
-    if (bytes.empty()) invalid(file, "is empty");
+ContainerInfo check_container(const std::string& source, Bytes bytes, int min_side) {
+    if (bytes.empty()) invalid(source, "is empty");
     const ContainerInfo info = read_container(bytes);
-    if (info.kind == Container::unknown) invalid(file, "is neither a PNG nor a JPEG image");
+    if (info.kind == Container::unknown) invalid(source, "is neither a PNG nor a JPEG image");
     const std::string size = std::to_string(info.width) + "x" + std::to_string(info.height);
     const auto side_limit = static_cast<std::uint32_t>(max_image_side);
     if (info.width > side_limit || info.height > side_limit)
-        invalid(file, "is " + size + " pixels; the limit is " + std::to_string(max_image_side) + " a side");
+        invalid(source, "is " + size + " pixels; the limit is " + std::to_string(max_image_side) + " a side");
     if (std::uint64_t{info.width} * info.height > static_cast<std::uint64_t>(max_image_pixels))
-        invalid(file, "is " + size + " pixels; the limit is " + std::to_string(max_image_pixels / 1'000'000) +
+        invalid(source, "is " + size + " pixels; the limit is " + std::to_string(max_image_pixels / 1'000'000) +
                           " megapixels");
-    if (!info.problem.empty()) invalid(file, info.problem);
+    if (!info.problem.empty()) invalid(source, info.problem);
     const auto smallest = static_cast<std::uint32_t>(min_side);
     if (info.width < smallest || info.height < smallest)
-        invalid(file, "is " + size + " pixels; the smallest side allowed is " + std::to_string(min_side));
+        invalid(source, "is " + size + " pixels; the smallest side allowed is " + std::to_string(min_side));
     return info;
 }
 
-Pixels decode(const std::filesystem::path& file, const std::vector<unsigned char>& bytes,
-              const ContainerInfo& info, int channels) {
+Pixels decode(const std::string& source, Bytes bytes, const ContainerInfo& info, int channels) {
     int width = 0, height = 0, in_file = 0;
     Pixels pixels(stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height,
                                         &in_file, channels));
-    if (!pixels) invalid(file, std::string("cannot be decoded: ") + stbi_failure_reason());
+    if (!pixels) invalid(source, std::string("cannot be decoded: ") + stbi_failure_reason());
     if (static_cast<std::uint32_t>(width) != info.width || static_cast<std::uint32_t>(height) != info.height)
-        invalid(file, "cannot be decoded: its headers disagree on the dimensions");
+        invalid(source, "cannot be decoded: its headers disagree on the dimensions");
     return pixels;
 }
 
@@ -141,30 +141,43 @@ int orientation_of(int degrees) {
 RgbImage turned(RgbImage image, int degrees) { return apply_orientation(std::move(image), orientation_of(degrees)); }
 GreyImage turned(GreyImage image, int degrees) { return apply_orientation(std::move(image), orientation_of(degrees)); }
 
-RgbImage load_image(const std::filesystem::path& file, int min_side) {
-    const std::vector<unsigned char> bytes = read_file(file);
-    const ContainerInfo info = check_container(file, bytes, min_side);
+RgbImage decode_image(Bytes bytes, const std::string& source, int min_side) {
+    const ContainerInfo info = check_container(source, bytes, min_side);
     const int width = static_cast<int>(info.width), height = static_cast<int>(info.height);
     if (info.kind == Container::png) // 16-bit samples keep their high byte, palettes are looked up
-        return composite_on_white(decode(file, bytes, info, STBI_rgb_alpha).get(), width, height);
-    return apply_orientation(copy_rgb(decode(file, bytes, info, STBI_rgb).get(), width, height),
+        return composite_on_white(decode(source, bytes, info, STBI_rgb_alpha).get(), width, height);
+    return apply_orientation(copy_rgb(decode(source, bytes, info, STBI_rgb).get(), width, height),
                              info.orientation);
 }
 
-GreyImage load_grey(const std::filesystem::path& file) {
-    const std::vector<unsigned char> bytes = read_file(file);
-    const ContainerInfo info = check_container(file, bytes, 1);
-    if (info.kind != Container::png) invalid(file, "is not a PNG image");
-    const int width = static_cast<int>(info.width), height = static_cast<int>(info.height);
-    const Pixels pixels = decode(file, bytes, info, STBI_rgb_alpha);
-    GreyImage image(width, height);
+RgbaImage decode_rgba(Bytes bytes, const std::string& source) {
+    const ContainerInfo info = check_container(source, bytes, 1);
+    if (info.kind != Container::png) invalid(source, "is not a PNG image");
+    const Pixels pixels = decode(source, bytes, info, STBI_rgb_alpha);
+    RgbaImage image(static_cast<int>(info.width), static_cast<int>(info.height));
     const unsigned char* rgba = pixels.get();
-    for (std::uint8_t& value : image) {
-        if (rgba[0] != rgba[1] || rgba[1] != rgba[2]) invalid(file, "has colours; values must be grey");
-        value = rgba[3] == 0 ? 0 : rgba[0];
+    for (Rgba8& pixel : image) {
+        pixel = {rgba[0], rgba[1], rgba[2], rgba[3]};
         rgba += 4;
     }
     return image;
 }
+
+GreyImage decode_grey(Bytes bytes, const std::string& source) {
+    const RgbaImage stored = decode_rgba(bytes, source);
+    GreyImage image(stored.width(), stored.height());
+    auto value = image.begin();
+    for (const Rgba8& pixel : stored) {
+        if (pixel.r != pixel.g || pixel.g != pixel.b) invalid(source, "has colours; values must be grey");
+        *value++ = pixel.a == 0 ? 0 : pixel.r;
+    }
+    return image;
+}
+
+RgbImage load_image(const std::filesystem::path& file, int min_side) {
+    return decode_image(read_file(file), file.string(), min_side);
+}
+
+GreyImage load_grey(const std::filesystem::path& file) { return decode_grey(read_file(file), file.string()); }
 
 } // namespace pantin

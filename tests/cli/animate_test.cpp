@@ -10,7 +10,7 @@
 #include "pantin/identification.hpp"
 #include "pantin/image.hpp"
 #include "support/films.hpp"
-#include "support/glb_file.hpp"
+#include "export/glb_file.hpp"
 
 using namespace pantin;
 using namespace pantin::test;

@@ -2,49 +2,26 @@
 // to update them).
 #include <catch2/catch.hpp>
 
-#include <cstdio>
 #include <cstdlib>
 #include <sstream>
 
 #include "cli/demo.hpp"
+#include "core/digest.hpp"
+#include "export/glb_file.hpp"
 #include "pantin/image.hpp"
 #include "support/films.hpp"
-#include "support/glb_file.hpp"
 
 using namespace pantin;
 using namespace pantin::test;
 
 namespace {
 
-// FNV-1a, 64 bits.
-class Digest {
-public:
-    void add(const void* data, std::size_t size) {
-        const auto* bytes = static_cast<const unsigned char*>(data);
-        for (std::size_t i = 0; i < size; ++i) hash_ = (hash_ ^ bytes[i]) * 0x100000001b3u;
+void add(Digest& digest, const Film& film) {
+    for (std::size_t i = 0; i < film.frames.size(); ++i) {
+        digest.add(film.frames[i]);
+        digest.add(film.delays[i]);
     }
-    void add(const std::string& text) { add(text.data(), text.size()); }
-    void add(int number) { add(std::to_string(number) + ";"); }
-    template <class Pixel> void add(const Grid<Pixel>& image) {
-        add(image.width());
-        add(image.height());
-        add(image.data(), image.size() * sizeof(Pixel));
-    }
-    void add(const Film& film) {
-        for (std::size_t i = 0; i < film.frames.size(); ++i) {
-            add(film.frames[i]);
-            add(film.delays[i]);
-        }
-    }
-    std::string text() const {
-        char digits[17];
-        std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash_));
-        return digits;
-    }
-
-private:
-    std::uint64_t hash_ = 0xcbf29ce484222325u;
-};
+}
 
 // The picture's encoded bytes, and the lengths that they decide, are left out; its pixels are put in.
 void add_glb(Digest& digest, const std::vector<unsigned char>& bytes) {
@@ -77,11 +54,11 @@ std::string digest_of(const std::filesystem::path& folder, const std::string& na
         add_glb(digest, data);
 #ifdef PANTIN_WEBP
     else if (name.ends_with(".webp"))
-        digest.add(read_webp(data));
+        add(digest, read_webp(data));
 #endif
 #ifdef PANTIN_GIF
     else if (name.ends_with(".gif"))
-        digest.add(read_gif(data));
+        add(digest, read_gif(data));
 #endif
     else
         digest.add(bytes);

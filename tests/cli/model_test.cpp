@@ -5,7 +5,7 @@
 
 #include "cli/demo.hpp"
 #include "pantin/image.hpp"
-#include "support/glb_file.hpp"
+#include "export/glb_file.hpp"
 
 using namespace pantin;
 using namespace pantin::test;

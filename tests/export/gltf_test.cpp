@@ -5,7 +5,7 @@
 
 #include "export/rigs.hpp"
 #include "pantin/export.hpp"
-#include "support/glb_file.hpp"
+#include "export/glb_file.hpp"
 
 using namespace pantin;
 using namespace pantin::test;

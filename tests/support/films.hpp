@@ -3,22 +3,17 @@
 
 #include <vector>
 
-#include "pantin/grid.hpp"
+#include "export/decode_film.hpp"
 
 namespace pantin::test {
 
-struct Film {
-    std::vector<RgbaImage> frames; // as shown; colours under alpha 0 are 0
-    std::vector<int> delays;       // WebP: milliseconds, GIF: hundredths of a second
-    bool loops_for_ever = false;
-    bool disposes_to_background = true; // GIF: every frame
-};
+using Film = DecodedFilm;
 
 #ifdef PANTIN_WEBP
-Film read_webp(const std::vector<unsigned char>& bytes);
+inline Film read_webp(const std::vector<unsigned char>& bytes) { return decode_webp(bytes, "film.webp"); }
 #endif
 #ifdef PANTIN_GIF
-Film read_gif(const std::vector<unsigned char>& bytes);
+inline Film read_gif(const std::vector<unsigned char>& bytes) { return decode_gif(bytes, "film.gif"); }
 #endif
 
 } // namespace pantin::test

@@ -1,4 +1,5 @@
-// Reads a GLB back without the exporter's code: chunks, JSON, accessors.
+// Reads a GLB back: chunks, JSON, accessors. Shares no code with the exporter, so that tests may rely on it. What is damaged is a
+// std::runtime_error or an exception of the JSON library.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace pantin::test {
+namespace pantin {
 
 struct GlbFile {
     nlohmann::json json;
@@ -60,4 +61,4 @@ struct GlbFile {
     }
 };
 
-} // namespace pantin::test
+} // namespace pantin

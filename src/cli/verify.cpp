@@ -1,0 +1,84 @@
+// pantin verify [-o DIR]        every stage against the stored outputs
+// pantin verify DIR --against DIR [-o DIR]   two folders of results
+#include <memory>
+
+#include "cli/command.hpp"
+#include "core/file.hpp"
+#include "pantin/image.hpp"
+#include "pantin/verify.hpp"
+
+namespace pantin::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+    CommonOptions common;
+    std::string folder, against, out;
+    bool end_to_end = false;
+};
+
+void write_files(const fs::path& out, const Files& files) {
+    for (const auto& [name, bytes] : files) {
+        create_folder((out / name).parent_path());
+        write_file(out / name, bytes);
+    }
+}
+
+// <file>.png of each picture and film that differs.
+void write_pictures(const fs::path& out, const FolderComparison& comparison) {
+    for (const StageDifferences& stage : comparison.stages)
+        for (const FileDifference& file : stage.files) {
+            if (!file.picture) continue;
+            const fs::path picture = out / (file.file + (file.file.ends_with(".png") ? "" : ".png"));
+            create_folder(picture.parent_path());
+            save_png(picture, *file.picture);
+        }
+}
+
+int compare(const Arguments& arguments) {
+    const FolderComparison comparison = compare_folders(arguments.folder, arguments.against);
+    print_result(arguments.common, comparison_table(comparison));
+    if (!arguments.out.empty()) write_pictures(arguments.out, comparison);
+    if (comparison.stages.empty()) return 0;
+    const StageDifferences& first = comparison.stages.front();
+    throw Error(ErrorKind::differs, arguments.folder + " differs from " + arguments.against + ", first in " + first.stage + " (" +
+                                        first.files.front().file + ")");
+}
+
+int run_verify(const Arguments& arguments) {
+    if (arguments.folder.empty() != arguments.against.empty())
+        throw Error(ErrorKind::usage, "two folders are compared: pantin verify DIR --against DIR");
+    if (!arguments.folder.empty()) return compare(arguments);
+    const Settings common = make_settings(arguments.common);
+    VerificationSettings settings;
+    if (!arguments.common.config.empty()) apply_config(settings.options, arguments.common.config);
+    settings.threads = common.threads;
+    settings.progress = common.progress;
+    settings.end_to_end = arguments.end_to_end;
+    const Verification verification = verify(settings);
+    print_result(arguments.common, verification_table(verification));
+    if (!arguments.out.empty()) write_files(arguments.out, verification.outputs);
+    const StageDifferences* first = verification.first_difference();
+    if (!first) return 0;
+    throw Error(ErrorKind::differs, "stage " + first->stage + " differs on the " + first->drawing + " (" + first->files.front().file + ")");
+}
+
+} // namespace
+
+void add_verify(CLI::App& app, Run& run) {
+    const auto arguments = std::make_shared<Arguments>();
+    CLI::App* command = app.add_subcommand("verify", "every stage on built-in drawings against stored results; or two folders of results");
+    command->add_option("DIR", arguments->folder, "folder to compare with that of --against, instead of verifying");
+    command->add_option("--against", arguments->against, "the other folder: of verify, animate or any step");
+    command->add_option("-o,--output", arguments->out, "folder for the stages' outputs; of a comparison for pictures of where they differ");
+    command->add_flag("--end-to-end", arguments->end_to_end, "every stage takes what the stage before has just made, not the stored input");
+    command->add_option("--config", arguments->common.config, "JSON file of options to change: shows which stages depend on them");
+    command->add_option("--threads", arguments->common.threads, "number of threads (default: all cores); results do not depend on it")
+        ->check(CLI::Range(1, 256));
+    command->add_flag("--quiet", arguments->common.quiet, "print errors only");
+    command->callback([arguments, &run] { run = [arguments] { return run_verify(*arguments); }; });
+}
+
+} // namespace pantin::cli
