@@ -1,11 +1,11 @@
 # Pantin. `make demo` and `make test` do everything on a fresh Debian 12, set-up included.
 #   config=release|debug|sanitize   objects and programs go to build/$(config)/
-#   GLPK=0 WEBP=0 GIF=0 YAML=0 PUGIXML=0   build without that library;  STATIC=1  one static binary, in build/static
+#   GLPK=0 WEBP=0 GIF=0 YAML=0 PUGIXML=0   build without that library;  STATIC=1  one static binary, build/release-static/pantin
 #   werror=1                        warnings are errors (CI);    CXX=clang++  another compiler
 #   V=1                             shows the commands
 
 config ?= release
-BUILD ?= build/$(if $(filter 1,$(STATIC)),static,$(config))
+BUILD ?= build/$(config)$(if $(filter 1,$(STATIC)),-static)
 PREFIX ?= /usr/local
 DESTDIR ?=
 INSTALL ?= install
@@ -50,13 +50,15 @@ ifeq ($(werror),1)
   CXXFLAGS += -Werror
 endif
 ifeq ($(STATIC),1)
+  CPPFLAGS += -DPANTIN_STATIC=1
   LDFLAGS += -static
 endif
 ifeq ($(GLPK),1)
   CPPFLAGS += -DPANTIN_GLPK=1
   LDLIBS += -lglpk
   ifeq ($(STATIC),1)
-    LDLIBS += -lamd -lcolamd -lsuitesparseconfig -lgmp -lz -lltdl -ldl
+    LDLIBS += -lamd -lcolamd -lsuitesparseconfig -lgmp -lz
+    LDFLAGS += -Wl,-u,lt_dlinit
   endif
 endif
 ifeq ($(WEBP),1)

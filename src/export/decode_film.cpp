@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "pantin/error.hpp"
+#include "pantin/image.hpp"
 
 #ifdef PANTIN_WEBP
 #include <webp/demux.h>
@@ -16,6 +17,8 @@
 namespace pantin {
 
 namespace {
+
+[[maybe_unused]] bool is_too_large(long width, long height) { return width * height > max_image_pixels; }
 
 [[noreturn, maybe_unused]] void damaged(const std::string& source, const char* kind) {
     throw Error(ErrorKind::input, source + ": is damaged or no " + kind);
@@ -34,6 +37,7 @@ DecodedFilm decode_webp(std::span<const unsigned char> bytes, const std::string&
     if (!decoder) damaged(source, "animated WebP");
     WebPAnimInfo info;
     WebPAnimDecoderGetInfo(decoder.get(), &info);
+    if (is_too_large(info.canvas_width, info.canvas_height)) damaged(source, "film of ours: it is too large");
     DecodedFilm film;
     film.loops_for_ever = info.loop_count == 0;
     int last = 0;
@@ -103,6 +107,7 @@ DecodedFilm decode_gif(std::span<const unsigned char> bytes, const std::string& 
     int error = 0;
     const std::unique_ptr<GifFileType, CloseGif> gif(DGifOpen(&source, read_bytes, &error));
     if (!gif || DGifSlurp(gif.get()) != GIF_OK) damaged(source_name, "GIF");
+    if (is_too_large(gif->SWidth, gif->SHeight)) damaged(source_name, "film of ours: it is too large");
     DecodedFilm film;
     for (int i = 0; i < gif->ImageCount; ++i) {
         const SavedImage& image = gif->SavedImages[i];

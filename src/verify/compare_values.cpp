@@ -18,6 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_shown = 60; // characters of a value in a report
+constexpr int deepest = 200;           // values in values; ours lie no deeper than 8
 
 std::string shown(const Json& value) {
     if (value.is_number_float()) return to_decimal(value.get<double>());
@@ -26,31 +27,32 @@ std::string shown(const Json& value) {
     return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-void walk(Differences& differences, const std::string& place, const Json& first, const Json& second);
+void walk(Differences& differences, const std::string& place, const Json& first, const Json& second, int depth);
 
-void walk_objects(Differences& differences, const std::string& place, const Json& first, const Json& second) {
+void walk_objects(Differences& differences, const std::string& place, const Json& first, const Json& second, int depth) {
     const std::string before = place.empty() ? "" : place + ".";
     for (const auto& [key, value] : first.items()) {
         const auto other = second.find(key);
         if (other == second.end())
             differences.text(before + key, shown(value), "missing");
         else
-            walk(differences, before + key, value, *other);
+            walk(differences, before + key, value, *other, depth + 1);
     }
     for (const auto& [key, value] : second.items())
         if (!first.contains(key)) differences.text(before + key, "missing", shown(value));
 }
 
-void walk_arrays(Differences& differences, const std::string& place, const Json& first, const Json& second) {
+void walk_arrays(Differences& differences, const std::string& place, const Json& first, const Json& second, int depth) {
     if (first.size() != second.size()) differences.text(place, shown(first), shown(second));
     for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i)
-        walk(differences, place + "[" + std::to_string(i) + "]", first[i], second[i]);
+        walk(differences, place + "[" + std::to_string(i) + "]", first[i], second[i], depth + 1);
 }
 
-void walk(Differences& differences, const std::string& place, const Json& first, const Json& second) {
+void walk(Differences& differences, const std::string& place, const Json& first, const Json& second, int depth) {
     if (first.is_number() && second.is_number()) return differences.number(place, first.get<double>(), second.get<double>());
-    if (first.is_object() && second.is_object()) return walk_objects(differences, place, first, second);
-    if (first.is_array() && second.is_array()) return walk_arrays(differences, place, first, second);
+    if (depth > deepest) return differences.text(place.substr(0, most_shown), "nested too deeply", "nested too deeply");
+    if (first.is_object() && second.is_object()) return walk_objects(differences, place, first, second, depth);
+    if (first.is_array() && second.is_array()) return walk_arrays(differences, place, first, second, depth);
     if (first != second) differences.text(place, shown(first), shown(second));
 }
 
@@ -104,7 +106,7 @@ void Differences::number(const std::string& place, double first, double second) 
 void Differences::text(const std::string& place, const std::string& first, const std::string& second) { add(place, first, second); }
 
 void compare_json(Differences& differences, const std::string& name, const std::string& first, const std::string& second) {
-    walk(differences, "", parse_json(first, name), parse_json(second, name));
+    walk(differences, "", parse_json(first, name), parse_json(second, name), 0);
 }
 
 void compare_words(Differences& differences, const std::string& first, const std::string& second) {

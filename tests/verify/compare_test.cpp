@@ -1,6 +1,7 @@
 // Files side by side: which place is named, which values, how large the difference is.
 #include <catch2/catch.hpp>
 
+#include "export/glb_buffer.hpp"
 #include "export/rigs.hpp"
 #include "pantin/error.hpp"
 #include "pantin/export.hpp"
@@ -63,6 +64,8 @@ TEST_CASE("JSON: structure", "[verify]") {
     CHECK(missing.second == "missing");
     CHECK(missing.values == 2);
     CHECK(difference("a.json", R"({"a": 1})", R"({"a": "1"})").second == "\"1\"");
+    const std::string deep(100'000, '['), ends(100'000, ']');
+    CHECK(difference("a.json", deep + "1" + ends, deep + "2" + ends).first == "nested too deeply");
 }
 
 TEST_CASE("Text: words that are numbers by their values", "[verify]") {
@@ -137,10 +140,17 @@ TEST_CASE("Other files as bytes", "[verify]") {
 
 TEST_CASE("A damaged file is an error that names it", "[verify]") {
     const std::string good = png(checks()), glb = square_glb();
+    std::string long_text = glb;
+    long_text.replace(12, 4, "\xfc\xff\xff\xff"); // length of the JSON chunk
+    const std::string long_accessor = as_text(pack_glb(
+        R"({"asset": {}, "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4611686018427387904, "type": "SCALAR"}],
+            "bufferViews": [{"byteOffset": 0, "byteLength": 4}]})", {0, 0, 0, 0}));
     for (const auto& [name, first, second] : std::vector<std::tuple<std::string, std::string, std::string>>{
              {"a.json", "{}", "{"},
              {"a.png", good, good.substr(0, good.size() / 2)},
              {"a.glb", glb, glb.substr(0, glb.size() / 2)},
+             {"a.glb", glb, long_text},
+             {"a.glb", glb, long_accessor},
 #ifdef PANTIN_WEBP
              {"a.webp", "RIFF", "nothing"},
 #endif
