@@ -11,7 +11,7 @@ namespace pantin {
 namespace {
 
 constexpr int lightest = 255, darkest = 150; // greys of the picture below the differences
-constexpr int least_red = 90;                // how strongly the smallest difference shows, 0 to 255
+constexpr int least_red = 150;               // how strongly the smallest difference shows, 0 to 255
 
 std::string size_text(const RgbaImage& image) { return std::to_string(image.width()) + "x" + std::to_string(image.height()); }
 
@@ -26,9 +26,13 @@ int largest_difference(Rgba8 a, Rgba8 b) {
 
 RgbImage picture_of_differences(const RgbaImage& first, const RgbaImage& second) {
     RgbImage image(first.width(), first.height());
+    Grid<int> luma(first.width(), first.height());
+    std::transform(first.begin(), first.end(), luma.begin(), luma_on_white);
+    const auto [low, high] = std::minmax_element(luma.begin(), luma.end()); // label maps have values up to 5 only
+    const int range = std::max(1, *high - *low);
     for (std::size_t i = 0; i < image.size(); ++i) {
-        const Rgba8 a = first.data()[i];
-        const int grey = darkest + luma_on_white(a) * (lightest - darkest) / 255, difference = largest_difference(a, second.data()[i]);
+        const int grey = darkest + (luma.data()[i] - *low) * (lightest - darkest) / range,
+                  difference = largest_difference(first.data()[i], second.data()[i]);
         const int red = difference == 0 ? 0 : least_red + difference * (255 - least_red) / 255;
         const auto faded = static_cast<std::uint8_t>(grey * (255 - red) / 255);
         image.data()[i] = {static_cast<std::uint8_t>(std::max<int>(faded, red == 0 ? grey : 225)), faded, faded};
