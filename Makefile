@@ -1,6 +1,7 @@
 # Pantin. `make demo` and `make test` do everything on a fresh Debian 12, set-up included.
 #   config=release|debug|sanitize   objects and programs go to build/$(config)/
-#   GLPK=0 WEBP=0 GIF=0 YAML=0 PUGIXML=0   build without that library;  STATIC=1  one static binary, build/release-static/pantin
+#   GLPK=0 WEBP=0 GIF=0 YAML=0 PUGIXML=0   build without that library (the tests need pugixml)
+#   STATIC=1                        one static binary, build/release-static/pantin
 #   werror=1                        warnings are errors (CI);    CXX=clang++  another compiler
 #   V=1                             shows the commands
 
