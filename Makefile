@@ -100,7 +100,7 @@ VECTORS := $(sort $(shell find testdata/vectors)) # folders, too, so that a file
 # The folder $(2) of $(1) as an archive whose bytes depend on its files alone.
 pack = tar -C $(1) --format=ustar --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX -cf - $(2) | gzip -9 -n
 
-.PHONY: verify update-verify verify-arm64 vectors vectors-files all demo demo-run test test-run sanitize bench install install-files uninstall clean deps doodle check-gltf
+.PHONY: verify update-verify verify-arm64 vectors vectors-files test-web all demo demo-run test test-run sanitize bench install install-files uninstall clean deps doodle check-gltf
 all: $(BUILD)/pantin
 
 # Set-up happens in a first make, so that the second one sees the libraries that were just installed. The second one uses
@@ -153,6 +153,10 @@ vectors-files:
 
 check-gltf: demo
 	tools/check_gltf.sh out/demo
+
+# The pages of `explain` in headless Chromium.
+test-web: $(BUILD)/pantin
+	tools/web/check_page.sh $(BUILD)/pantin out/web
 
 $(BUILD)/pantin: $(BUILD)/src/cli/main.o $(BUILD)/libpantin.a
 	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)

@@ -7,6 +7,7 @@ widgets.thinning = async (chapter, data) => {
     const zoom = Math.max(1, Math.round(720 / Math.max(data.width, data.height)));
     canvas.width = data.width * zoom;
     canvas.height = data.height * zoom;
+    canvas.dataset.zoom = zoom;
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", "Pixels that are left; arrow keys choose a pixel, plus and minus go through the sub-iterations");
@@ -98,8 +99,8 @@ widgets.thinning = async (chapter, data) => {
         go_to(0);
     });
     canvas.addEventListener("click", event => {
-        const box = canvas.getBoundingClientRect();
-        chosen = {x: Math.floor((event.clientX - box.left) / box.width * data.width), y: Math.floor((event.clientY - box.top) / box.height * data.height)};
+        const at = (place, side, count) => Math.min(count - 1, Math.max(0, Math.floor(place / side * count)));
+        chosen = {x: at(event.offsetX, canvas.clientWidth, data.width), y: at(event.offsetY, canvas.clientHeight, data.height)};
         draw();
     });
     canvas.addEventListener("keydown", event => {
