@@ -84,10 +84,11 @@ TEST_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tests/*.cpp test
 BENCH_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/bench/*.cpp)))
 COMPARE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/compare/*.cpp)))
 TORCH_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out tools/compare_torch/main.cpp,$(sort $(wildcard tools/compare_torch/*.cpp))))
+FIGURE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out tools/figures/main.cpp,$(sort $(wildcard tools/figures/*.cpp))))
 EVALUATE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/identification/*.cpp)))
 RESOURCES := $(sort $(wildcard weights/*.safetensors references/*.json src/explain/assets/*.* src/explain/assets/*/*.*))
 
-.PHONY: all demo demo-run test test-run sanitize bench install install-files uninstall clean deps doodle check-gltf
+.PHONY: all demo demo-run test test-run sanitize bench figures install install-files uninstall clean deps doodle check-gltf
 all: $(BUILD)/pantin
 
 # Set-up happens in a first make, so that the second one sees the libraries that were just installed. The second one uses
@@ -112,6 +113,10 @@ sanitize:
 bench: $(BUILD)/bench
 	$(BUILD)/bench
 
+# The pictures of docs/figures, from testdata/ alone: the same bytes every time.
+figures: $(BUILD)/figures
+	$(BUILD)/figures docs/figures
+
 doodle: $(BUILD)/doodle
 
 check-gltf: demo
@@ -135,6 +140,8 @@ endif
 $(BUILD)/bench: $(BENCH_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
 	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
+$(BUILD)/figures: $(BUILD)/tools/figures/main.o $(FIGURE_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
+	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 $(BUILD)/compare_reference: $(COMPARE_OBJECTS) $(BUILD)/libpantin.a
 	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 $(BUILD)/compare_torch: $(BUILD)/tools/compare_torch/main.o $(TORCH_OBJECTS) $(BUILD)/libpantin.a
@@ -155,7 +162,7 @@ $(BUILD)/resources.o: $(BUILD)/resources.S
 $(BUILD)/%.o: %.cpp
 	@mkdir -p $(@D)
 	$(call run,CXX)$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(FILE_FLAGS) -MMD -MP -c -o $@ $<
--include $(patsubst %.o,%.d,$(LIB_OBJECTS) $(DOODLE_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS) $(COMPARE_OBJECTS) $(EVALUATE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/tools/compare_torch/main.o $(BUILD)/src/cli/main.o $(BUILD)/tools/doodle/main.o $(BUILD)/tools/motion_quality/main.o)
+-include $(patsubst %.o,%.d,$(LIB_OBJECTS) $(DOODLE_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS) $(COMPARE_OBJECTS) $(FIGURE_OBJECTS) $(EVALUATE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/tools/compare_torch/main.o $(BUILD)/src/cli/main.o $(BUILD)/tools/doodle/main.o $(BUILD)/tools/figures/main.o $(BUILD)/tools/motion_quality/main.o)
 
 # What stands where: program, library, headers, man pages, completion, pkg-config.
 share = $(DESTDIR)$(PREFIX)/share
