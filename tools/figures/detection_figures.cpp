@@ -74,11 +74,6 @@ Figure composed_figure() {
     return {"fig-4.6-composed-page.svg", sheet.svg().document("A composed page of drawings with its truth")};
 }
 
-// Where the crop's silhouette is on the drawing at the page's resolution.
-void draw_crop(Panel& panel, const Run& run) {
-    panel.picture(run.detected.drawing, run.labels().width(), run.labels().height());
-}
-
 Figure segmentation_figure(Gallery& gallery) {
     const RgbImage& page = gallery.page("quadruped.png");
     const Run& run = gallery.run("quadruped.png");
@@ -109,14 +104,13 @@ Figure segmentation_figure(Gallery& gallery) {
 
 // --- borders -----------------------------------------------------------------------------------------------------
 
-// A drawing whose silhouette has a hole: the first of the doodles of a seed that has one of some size.
-Mask mask_with_hole() {
+// A ring with an island in its hole.
+Mask nested_mask() {
     Mask ring(120, 120);
     for (int y = 0; y < 120; ++y)
         for (int x = 0; x < 120; ++x) {
-            const int dx = x - 60, dy = y - 60, d = dx * dx + dy * dy;
-            const bool island = (x - 60) * (x - 60) + (y - 60) * (y - 60) < 14 * 14;
-            ring(x, y) = (d < 52 * 52 && d > 30 * 30) || island;
+            const int d = (x - 60) * (x - 60) + (y - 60) * (y - 60);
+            ring(x, y) = (d < 52 * 52 && d > 30 * 30) || d < 14 * 14;
         }
     return ring;
 }
@@ -138,7 +132,7 @@ Figure contour_figure(Gallery& gallery) {
     draw_borders(contour, s.contour, 2);
     contour.border();
     contour.caption("(b) its border, " + std::to_string(s.contour.front().points.size()) + " pixels");
-    const Mask ring = mask_with_hole();
+    const Mask ring = nested_mask();
     Panel nested(sheet.svg(), sheet[2], ring.width(), ring.height());
     nested.mask(ring, silhouette_colour);
     const std::vector<Border> borders = follow_borders(ring);

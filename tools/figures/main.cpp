@@ -6,18 +6,6 @@
 #include "core/file.hpp"
 #include "figures/figures.hpp"
 
-namespace pantin::figures {
-
-std::vector<Figure> all_figures(const std::string& testdata) {
-    Gallery gallery(testdata);
-    std::vector<Figure> all;
-    for (const auto group : {network_figures, voronoi_figures})
-        for (Figure& figure : group(gallery)) all.push_back(std::move(figure));
-    return all;
-}
-
-} // namespace pantin::figures
-
 int main(int argc, char** argv) {
     if (argc < 2 || argc > 3) {
         std::fprintf(stderr, "usage: figures FOLDER [TESTDATA]\n");

@@ -62,6 +62,8 @@ public:
     void begin_clip(Rectangle r);
     void end_clip();
 
+    void append(const Svg& other) { body_ += other.body_; } // in its coordinates; clips of both must not mix
+
     // The document. `title` is what a screen reader says.
     std::string document(const std::string& title) const;
 
