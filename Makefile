@@ -129,7 +129,7 @@ $(BUILD)/libpantin.a: $(LIB_OBJECTS)
 	$(call run,AR)$(AR) rcsD $@ $^
 $(BUILD)/doodle: $(BUILD)/tools/doodle/main.o $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
 	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
-$(BUILD)/pantin-tests: $(TEST_OBJECTS) $(DOODLE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/libpantin.a
+$(BUILD)/pantin-tests: $(TEST_OBJECTS) $(DOODLE_OBJECTS) $(FIGURE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/libpantin.a
 	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(TEST_LDLIBS) $(LDLIBS)
 $(BUILD)/tests/%.o: CPPFLAGS += -Itests
 # Tests take longer to compile than to run; instrumented assertions and option parsers most of all.

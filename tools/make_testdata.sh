@@ -37,3 +37,8 @@ small="--size 320 --photo 0 --paper 0 --colour 0 --pen 3 --fill 0.95"
 draw labels_humanoid.png label 21 6 --types humanoid $small
 draw labels_quadruped.png label 22 8 --types quadruped $small
 draw labels_flying.png label 23 5 --types flying $small
+
+# closed outlines, for the figures of docs/figures
+clear="--photo 0 --paper 0 --colour 0 --pen 3.5 --fill 0.92 --gaps 0 --tilt 0.3"
+draw dog.png image 31 3 --type quadruped --size 480 --height 360 $clear
+draw person.png image 32 4 --type humanoid --size 360 --height 480 $clear

@@ -12,7 +12,7 @@
 namespace pantin::figures {
 namespace {
 
-constexpr const char* files[] = {"quadruped.png", "humanoid.png", "flying.png"};
+constexpr const char* files[] = {"dog.png", "humanoid.png", "flying.png"};
 
 // Weight of all bones of the limb of that name.
 double limb_weight(const Rig& rig, const VertexWeights& w, const std::string& limb) {
@@ -42,16 +42,24 @@ void draw_weights(Sheet& sheet, int index, const Rig& rig, const std::string& li
     panel.caption(caption);
 }
 
+// Of the limb that leaves the body farthest to the left.
+std::string leftmost_limb(const Rig& rig) {
+    const auto first = [](const Bone& bone) { return bone.label == Label::limb && bone.segment == 0; };
+    const Bone* best = nullptr;
+    for (const Bone& bone : rig.bones)
+        if (first(bone) && (!best || bone.tail.x < best->tail.x)) best = &bone;
+    return best->name;
+}
+
 Figure weights_figure(Gallery& gallery) {
-    const std::string limb = "leg_front_left";
-    const Run &thesis = gallery.run("quadruped.png", 0, "thesis"), &ours = gallery.run("quadruped.png");
+    const Run &thesis = gallery.run("dog.png", 0, "thesis"), &ours = gallery.run("dog.png");
     Sheet sheet(2, 1, 440, 290, 24);
     std::vector<std::pair<std::string, Rgb8>> entries;
     for (const int share : {0, 25, 50, 75, 100}) entries.emplace_back(std::to_string(share) + " %", mixed({238, 240, 244}, {20, 120, 60}, share / 100.0));
     entries.emplace_back("the bones of this leg", accent);
     legend(sheet.svg(), {margin, 24}, entries);
-    draw_weights(sheet, 0, thesis.rig, limb, "(a) Algorithm 4.4: one bone, one weight σ");
-    draw_weights(sheet, 1, ours.rig, limb, "(b) default: two bones, smooth weights, mesh cut between legs");
+    draw_weights(sheet, 0, thesis.rig, leftmost_limb(thesis.rig), "(a) Algorithm 4.4: one bone, one weight σ");
+    draw_weights(sheet, 1, ours.rig, leftmost_limb(ours.rig), "(b) default: two bones, smooth weights, mesh cut between legs");
     return {"alg-4.4-weights.svg", sheet.svg().document("The weight of one leg's bones at every vertex of the mesh")};
 }
 

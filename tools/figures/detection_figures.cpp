@@ -24,7 +24,9 @@ RgbImage claimed(const RgbImage& page, const Grid<int>& claims) {
 
 Figure mask_rcnn_figure(Gallery& gallery) {
     const RgbImage& page = gallery.page("demo.png");
-    const auto found = gallery.networks().finder().find(page);
+    auto found = gallery.networks().finder().find(page);
+    const double least = DetectionOptions{}.network_score;
+    std::erase_if(found, [least](const CharacterFinder::Found& f) { return f.score < least; });
     constexpr double width = 560;
     const double scale = width / page.width(), height = scale * page.height();
     Svg svg(width + 2 * margin, height + margin + caption_height + 6);
@@ -39,7 +41,7 @@ Figure mask_rcnn_figure(Gallery& gallery) {
         svg.rectangle({corner.x - 1, corner.y, 104, 19}, filled(colour));
         svg.text({corner.x + 51, corner.y + 14}, "character " + shown(f.score, 2, true), {.size = 12, .fill = paper, .bold = true});
     }
-    panel.caption("box, class with its score, and mask of every character found");
+    panel.caption("box, class, score and mask of what scores at least " + shown(least));
     return {"fig-4.3-mask-rcnn.svg", svg.document("Output of the detection network: boxes, scores and masks")};
 }
 
@@ -47,7 +49,7 @@ Figure composed_figure() {
     doodle::DoodleOptions options;
     options.width = 600;
     options.height = 480;
-    options.photo = options.paper = 0;
+    options.photo = options.paper = options.colour = 0;
     options.tilt = 2;
     options.fill = 0.9;
     const doodle::Page page = doodle::draw_page({"humanoid", "quadruped", "flying", "quadruped:giraffe", "humanoid", "flying"}, 46, options);
@@ -55,7 +57,7 @@ Figure composed_figure() {
     Panel drawing(sheet.svg(), sheet[0], options.width, options.height);
     drawing.picture(page.picture, options.width, options.height);
     drawing.border();
-    drawing.caption("(a) several characters, turned and placed at random");
+    drawing.caption("(a) page, placed and turned at random");
     Panel instances(sheet.svg(), sheet[1], options.width, options.height);
     RgbImage ids(options.width, options.height, paper);
     for (std::size_t i = 0; i < ids.size(); ++i)
@@ -75,10 +77,11 @@ Figure composed_figure() {
 }
 
 Figure segmentation_figure(Gallery& gallery) {
-    const RgbImage& page = gallery.page("quadruped.png");
-    const Run& run = gallery.run("quadruped.png");
+    const RgbImage& page = gallery.page("dog.png");
+    const Run& run = gallery.run("dog.png");
     const Box box = run.detected.box;
-    Sheet sheet(2, 2, 400, 300);
+    Sheet sheet(2, 2, 400, 300, 24);
+    legend(sheet.svg(), {margin, 24}, part_entries(run.labels()));
     Panel input(sheet.svg(), sheet[0], page.width(), page.height());
     input.picture(page, page.width(), page.height());
     input.border();
@@ -96,8 +99,6 @@ Figure segmentation_figure(Gallery& gallery) {
     Panel parts(sheet.svg(), sheet[3], run.labels().width(), run.labels().height());
     parts.parts(run.labels());
     parts.border();
-    const Rectangle f = parts.frame();
-    legend(sheet.svg(), {f.x + f.width - 232, f.y + f.height - 10}, part_entries(run.labels()));
     parts.caption("(d) its parts");
     return {"fig-4.7-detection-segmentation.svg", sheet.svg().document("A character's box, mask and parts")};
 }
@@ -121,7 +122,7 @@ void draw_borders(Panel& panel, const std::vector<Border>& borders, double width
 }
 
 Figure contour_figure(Gallery& gallery) {
-    const Skeletonization& s = gallery.run("humanoid.png").skeleton;
+    const Skeletonization& s = gallery.run("person.png").skeleton;
     Sheet sheet(3, 1, 300, 340);
     Panel mask(sheet.svg(), sheet[0], s.mask.width(), s.mask.height());
     mask.mask(s.mask, silhouette_colour);
@@ -138,9 +139,9 @@ Figure contour_figure(Gallery& gallery) {
     const std::vector<Border> borders = follow_borders(ring);
     draw_borders(nested, borders, 3);
     for (std::size_t b = 0; b < borders.size(); ++b) {
-        const Point2d top = nested.at(to_double(borders[b].points.front()));
+        const Point2d top = nested.at(60, borders[b].points.front().y);
         const std::string parent = borders[b].parent < 0 ? "the frame" : std::to_string(borders[b].parent);
-        sheet.svg().text({top.x, top.y + (borders[b].outer ? 20 : -8)}, std::to_string(b) + ", in " + parent, {.size = 12, .fill = paper});
+        sheet.svg().text({top.x, top.y + 22}, std::to_string(b) + ", in " + parent, {.size = 12, .fill = borders[b].outer ? paper : ink});
     }
     nested.border();
     nested.caption("(c) nested: outer borders green, of holes orange");

@@ -43,7 +43,8 @@ const Run& Gallery::run(const std::string& file, std::size_t index, const std::s
     const auto [it, is_new] = runs_.try_emplace(file + " " + std::to_string(index) + " " + preset);
     Run& run = it->second;
     if (is_new) {
-        const Options options = make_preset(preset);
+        Options options = make_preset(preset);
+        options.identification.use_ilp = false; // builds without GLPK draw the same figures
         run = segmented(file, index);
         run.skeleton = skeletonize(run.labels(), options.skeletonization);
         run.identification = identify(run.skeleton.graph, run.labels(), references_, options.identification);

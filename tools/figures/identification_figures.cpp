@@ -21,19 +21,25 @@ void draw_reference_panel(Sheet& sheet, int index, const ReferenceSkeleton& refe
     panel.caption(caption);
 }
 
+void draw_skeleton(Sheet& sheet, int index, const Run& run, const std::string& caption) {
+    Panel panel(sheet.svg(), sheet[index], run.labels().width(), run.labels().height());
+    panel.mask(run.skeleton.mask, {228, 231, 236});
+    panel.graph(run.skeleton.graph, stroked(ink, 2), 5);
+    panel.caption(caption);
+}
+
 Figure references_figure(Gallery& gallery) {
-    const Run& run = gallery.run("quadruped.png");
+    const Run& run = gallery.run("dog.png");
     Sheet sheet(4, 2, 220, 220, 24);
     std::vector<std::pair<std::string, Rgb8>> parts;
     for (int label = 1; label < label_count; ++label) parts.emplace_back(label_names[label], part_colours[label]);
     legend(sheet.svg(), {margin, 24}, parts);
     for (int i = 0; i < 3; ++i) draw_reference_panel(sheet, i, gallery.reference(names[i]), std::string("(") + "abc"[i] + ") " + names[i]);
-    Panel skeleton(sheet.svg(), sheet[3], run.labels().width(), run.labels().height());
-    skeleton.mask(run.skeleton.mask, {228, 231, 236});
-    skeleton.graph(run.skeleton.graph, stroked(ink, 2), 5);
-    skeleton.caption("(d) a drawing's skeleton");
-    const char* more[] = {"bird", "insect", "fish", "bust"}; // standing bird, …: what the three do not fit
-    for (int i = 0; i < 4; ++i) draw_reference_panel(sheet, 4 + i, gallery.reference(more[i]), std::string("(") + "efgh"[i] + ") " + more[i] + " (ours)");
+    draw_skeleton(sheet, 3, run, "(d) a drawing's skeleton");
+    draw_reference_panel(sheet, 4, gallery.reference("bird"), "(e) bird (ours)");
+    draw_reference_panel(sheet, 5, gallery.reference("insect"), "(f) insect (ours)");
+    draw_skeleton(sheet, 6, gallery.run("humanoid.png"), "(g) another drawing's");
+    draw_skeleton(sheet, 7, gallery.run("flying.png"), "(h) another drawing's");
     return {"fig-4.13-references.svg", sheet.svg().document("Reference skeletons with their shapes, and a drawing's skeleton")};
 }
 
@@ -66,14 +72,14 @@ struct Term {
     double GgdTerms::*value;
     Rgb8 colour;
 };
-constexpr Term terms[] = {{"places (K_v)", &GgdTerms::places, second},
+constexpr Term terms[] = {{"places (K_v)", &GgdTerms::places, highlight},
                           {"labels (K_l)", &GgdTerms::labels, accent},
-                          {"lengths of matched edges (K_e)", &GgdTerms::lengths, third},
-                          {"edges of the drawing without a partner (K_e)", &GgdTerms::edges_a, part_colours[4]},
-                          {"edges of the reference without a partner (K_e)", &GgdTerms::edges_b, part_colours[5]}};
+                          {"lengths of matched edges (K_e)", &GgdTerms::lengths, {0, 170, 180}},
+                          {"edges of the drawing without a partner (K_e)", &GgdTerms::edges_a, ink},
+                          {"edges of the reference without a partner (K_e)", &GgdTerms::edges_b, faint}};
 
 Figure distance_figure(Gallery& gallery) {
-    const Run& run = gallery.run("quadruped.png", 0, "thesis");
+    const Run& run = gallery.run("dog.png", 0, "thesis");
     constexpr double side = 250, bar_width = 250;
     Svg svg(3 * (side + 24) + 12, 2 * margin + side + 170);
     double most = 0;
@@ -96,9 +102,9 @@ Figure distance_figure(Gallery& gallery) {
         legend(svg, {margin, y}, {{term.name, term.colour}});
         y += 18;
     }
-    const double right = margin + 400;
-    svg.text({right, margin + side + 84}, "Squares: the drawing's skeleton; circles: the reference; both in", {.size = 12, .anchor = Anchor::start, .fill = muted});
-    svg.text({right, margin + side + 102}, "[0, 1]. Dashed: matched vertices. Bars: what the distance is the sum of.", {.size = 12, .anchor = Anchor::start, .fill = muted});
+    const double right = margin + 372;
+    svg.text({right, margin + side + 84}, "Black, squares: the drawing's skeleton; grey, circles: the reference;", {.size = 12, .anchor = Anchor::start, .fill = muted});
+    svg.text({right, margin + side + 102}, "both in [0, 1]. Dashed: matched vertices. Bars: the terms of the sum.", {.size = 12, .anchor = Anchor::start, .fill = muted});
     svg.text({right, margin + side + 120}, "Preset thesis: K_v = 1 (quadruped 0.38), K_e = 1, K_l = 5.", {.size = 12, .anchor = Anchor::start, .fill = muted});
     return {"eq-4.7-graph-distance.svg", svg.document("The terms of the labelled graph distance to each reference")};
 }

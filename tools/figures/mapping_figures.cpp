@@ -1,5 +1,6 @@
 // From path distances to the mapping of end-effectors (thesis 4.6, Eq. 4.11 to 4.14, Fig. 4.16).
 #include <algorithm>
+#include <cmath>
 
 #include "figures/figures.hpp"
 #include "figures/mapping_picture.hpp"
@@ -49,9 +50,10 @@ void draw_numbered(Svg& svg, Rectangle place, const pantin::Figure& figure, cons
     panel.mask(shape, {228, 231, 236});
     panel.graph(figure.graph, stroked(muted, 1.4), 3.5);
     const Point2d middle{shape.width() / 2.0, shape.height() / 2.0};
+    const auto apart = [](Point2d d) { return Point2d{1.6 * d.x, d.y}; }; // labels are wider than high
     for (std::size_t i = 0; i < ends.size(); ++i) {
         const SkeletonVertex& v = figure.graph.vertices[ends[i]];
-        const Point2d away = Point2d{v.x, v.y} - middle, p = panel.at(v.x, v.y) + (17 / std::max(1.0, length(away))) * away;
+        const Point2d away = apart(Point2d{v.x, v.y} - middle), p = panel.at(v.x, v.y) + (17 / std::max(1.0, length(away))) * away;
         svg.text({p.x, p.y + 5}, letter + std::to_string(i) + after, {.size = 13, .fill = colour, .bold = true});
     }
     panel.caption(caption);
@@ -70,23 +72,36 @@ std::vector<std::string> others(const std::vector<std::string>& names, std::size
     return result;
 }
 
+// κ of Eq. 4.13: what a skipped row costs.
+double jump_cost(const Matrix& distances) {
+    std::vector<double> least;
+    double mean = 0, variance = 0;
+    for (const auto& row : distances) least.push_back(*std::min_element(row.begin(), row.end()));
+    for (const double d : least) mean += d / static_cast<double>(least.size());
+    for (const double d : least) variance += (d - mean) * (d - mean) / static_cast<double>(least.size());
+    return mean + std::sqrt(variance);
+}
+
 Figure bijection_figure(Gallery& gallery) {
-    const Run& run = gallery.run("flying.png");
+    const Run& run = gallery.run("dog.png");
     const Mapping& mapping = run.rig.mapping;
     const EndPair pair = mapping.pairs.front();
     const auto i = static_cast<std::size_t>(std::find(mapping.ends.begin(), mapping.ends.end(), pair.end) - mapping.ends.begin());
     const auto j = static_cast<std::size_t>(std::find(mapping.reference_ends.begin(), mapping.reference_ends.end(), pair.reference_end) - mapping.reference_ends.begin());
     const EndComparison& comparison = mapping.comparisons[i][j];
     const auto rows = others(numbered("u", mapping.ends.size()), i), columns = others(numbered("u", mapping.reference_ends.size(), "′"), j);
-    Svg svg(640, margin + 300 + cell_height * static_cast<double>(rows.size()) + 40);
+    Svg svg(640, margin + 300 + cell_height * static_cast<double>(rows.size()) + 10);
     draw_both(svg, run);
     const std::string u = "u" + std::to_string(i), v = "u" + std::to_string(j) + "′";
     svg.text({margin, 262}, "d(" + u + ", " + v + "): path distances from " + u + " to each other end (rows), from " + v + " to each other end (columns)", {.size = 12.5, .anchor = Anchor::start});
     const Point2d corner = draw_matrix(svg, {margin + 60, 298}, comparison.distances, rows, columns, comparison.osb.path);
     const auto skipped = rows.size() - comparison.osb.path.size();
     svg.text({corner.x + 24, 316}, "pink: the optimal subsequence bijection", {.size = 12.5, .anchor = Anchor::start, .fill = highlight});
-    svg.text({corner.x + 24, 336}, "rows skipped: " + std::to_string(skipped), {.size = 12.5, .anchor = Anchor::start});
-    svg.text({corner.x + 24, 356}, "c(" + u + ", " + v + ") = " + shown(comparison.osb.cost, 2, true), {.size = 12.5, .anchor = Anchor::start});
+    double sum = 0;
+    for (const auto& [row, column] : comparison.osb.path) sum += comparison.distances[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+    const std::string lines[] = {"its cells: " + shown(sum, 2, true), "rows skipped: " + std::to_string(skipped) + ", each costs κ = " + shown(jump_cost(comparison.distances), 2, true),
+                                 "together: c(" + u + ", " + v + ") = " + shown(comparison.osb.cost, 2, true)};
+    for (int k = 0; k < 3; ++k) svg.text({corner.x + 24, 336.0 + 20 * k}, lines[k], {.size = 12.5, .anchor = Anchor::start});
     return {"eq-4.12-subsequence-bijection.svg", svg.document("Path distances from two end-effectors and the optimal subsequence bijection")};
 }
 
@@ -113,12 +128,13 @@ Figure assignment_figure(Gallery& gallery) {
     const Point2d corner = draw_matrix(svg, {margin + 40, 298}, similarity, rows, columns, assigned(hungarian(similarity)));
     svg.text({second_left, 262}, "(b) default: with labels and places, too", {.size = 12.5, .anchor = Anchor::start});
     draw_matrix(svg, {second_left + 40, 298}, mapping.costs, rows, columns, assigned(hungarian(mapping.costs)));
-    svg.text({margin + 40, corner.y + 24}, "pink: the assignment of least sum (Hungarian method)", {.size = 12.5, .anchor = Anchor::start, .fill = highlight});
+    svg.text({second_left + 40, corner.y + 24}, "from 12 on a pair is not allowed", {.size = 12.5, .anchor = Anchor::start, .fill = muted});
+    svg.text({margin + 40, corner.y + 24}, "pink: assignment of least sum (Hungarian method)", {.size = 12.5, .anchor = Anchor::start, .fill = highlight});
     return {"eq-4.14-assignment.svg", svg.document("Costs of matching end-effectors, and the assignment of least cost")};
 }
 
 Figure mapping_figure(Gallery& gallery) {
-    const char* files[] = {"quadruped.png", "humanoid.png", "flying.png"};
+    const char* files[] = {"dog.png", "humanoid.png", "flying.png"};
     Svg svg(640, margin + 3 * 292);
     for (int i = 0; i < 3; ++i) {
         const Run& run = gallery.run(files[i]);

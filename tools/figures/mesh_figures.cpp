@@ -7,6 +7,7 @@
 #include "figures/figures.hpp"
 #include "figures/palette.hpp"
 #include "figures/panel.hpp"
+#include "figures/rendering.hpp"
 #include "pantin/image.hpp"
 #include "rigging/mesh_topology.hpp"
 
@@ -65,7 +66,7 @@ int kind_of(std::uint8_t corners) {
     return 4 - count;
 }
 constexpr Rgb8 kind_colours[] = {{206, 210, 218}, {120, 180, 240}, {120, 205, 130}, {250, 190, 90}, {230, 80, 160}};
-constexpr const char* kind_names[] = {"case 1", "2", "3", "2, inverse", "4"};
+constexpr const char* kind_names[] = {"case 1", "case 2", "case 3", "one corner", "case 4"};
 
 void draw_cases(Svg& svg, Rectangle place, const Mesh& mesh, const Mask& mask, Rectangle window) {
     Panel panel(svg, place, window);
@@ -82,23 +83,26 @@ void draw_cases(Svg& svg, Rectangle place, const Mesh& mesh, const Mask& mask, R
 
 Figure cases_figure(Gallery& gallery) {
     const auto disc = [](int x, int y, int r) { return x * x + y * y <= r * r; };
-    const Mask& mask = gallery.run("quadruped.png").skeleton.mask;
+    const Mask& mask = gallery.run("dog.png").skeleton.mask;
+    const SkeletonGraph& graph = gallery.run("dog.png").skeleton.graph;
     Sheet sheet(6, 1, 124, 124);
     draw_case(sheet, 0, [](int, int) { return true; }, "case 1: all inside");
     draw_case(sheet, 1, [&](int x, int y) { return !disc(x, y, 4); }, "case 2: all but one");
-    draw_case(sheet, 2, [&](int x, int y) { return disc(x, y, 4); }, "inverse: one");
+    draw_case(sheet, 2, [&](int x, int y) { return disc(x, y, 4); }, "one corner alone");
     draw_case(sheet, 3, [](int, int y) { return y <= 4; }, "case 3: two");
     draw_case(sheet, 4, [](int x, int y) { return x - y <= 4 && y - x <= 4; }, "case 4, middle inside");
     draw_case(sheet, 5, [](int x, int y) { return x + y < 4 || x + y > 12; }, "case 4, outside");
     const double top = sheet.svg().height();
-    Svg svg(sheet.svg().width(), top + 360);
+    Svg svg(sheet.svg().width(), top + 320);
     svg.append(sheet.svg());
     const Mesh mesh = marching_squares(mask, as_in_thesis(voxel));
-    draw_cases(svg, {margin, top + 6, 520, 310}, mesh, mask, {-6, -6, mask.width() + 12.0, mask.height() + 12.0});
-    draw_cases(svg, {2 * margin + 528, top + 6, 264, 310}, mesh, mask, {48, 20, 132, 155});
+    const SkeletonVertex& tail = *std::find_if(graph.vertices.begin(), graph.vertices.end(), [](const SkeletonVertex& v) { return v.end && v.label == Label::tail; });
+    const Rectangle near{tail.x - 30, tail.y - 50, 132, 155};
+    draw_cases(svg, {margin, top + 6, 520, 280}, mesh, mask, {-6, -6, mask.width() + 12.0, mask.height() + 12.0});
+    draw_cases(svg, {2 * margin + 528, top + 6, 264, 280}, mesh, mask, near);
     std::vector<std::pair<std::string, Rgb8>> entries;
     for (int kind = 0; kind < 5; ++kind) entries.emplace_back(kind_names[kind], kind_colours[kind]);
-    legend(svg, {margin + 120, top + 344}, entries);
+    legend(svg, {margin + 120, top + 308}, entries);
     return {"fig-4.17-marching-squares.svg", svg.document("The cases of marching squares, and where they occur in a mesh")};
 }
 
@@ -113,13 +117,23 @@ void draw_edges(Panel& panel, const Mesh& mesh, Rectangle window, double width) 
     panel.segments(edges, stroked(ink, width));
 }
 
+// The character at one moment of its first clip, on either mesh at full size.
+void draw_posed(Svg& svg, Rectangle place, Run run, const std::vector<ReferenceSkeleton>& references, MeshMethod method, const std::string& caption) {
+    RigOptions options;
+    options.mesh.method = method;
+    run.rig = rig(run.skeleton.graph, run.labels(), run.identification, references, options);
+    draw_film(svg, place, run, run.reference->clips.front().name, 1, 0.08);
+    Panel(svg, place, 1, 1).caption(caption);
+}
+
 Figure meshes_figure(Gallery& gallery) {
-    const Mask& full = gallery.run("quadruped.png").skeleton.mask;
+    const Run& run = gallery.run("dog.png");
+    const Mask& full = run.skeleton.mask;
     const Mask mask = resize_mask(full, full.width() / 4, full.height() / 4);
     const Mesh regions = voronoi_mesh(mask), squares = marching_squares(mask, as_in_thesis(2));
-    Sheet sheet(3, 2, 330, 230);
+    Sheet sheet(3, 3, 330, 200);
     Svg& svg = sheet.svg();
-    const Rectangle whole{-2, -2, mask.width() + 4.0, mask.height() + 4.0}, leg{16, 36, 40, 28};
+    const Rectangle whole{-2, -2, mask.width() + 4.0, mask.height() + 4.0}, leg{14, 24, 36, 25};
     const auto draw = [&](int index, Rectangle window, const Mesh* mesh, const std::string& caption) {
         Panel panel(svg, sheet[index], window);
         svg.begin_clip(panel.frame());
@@ -138,6 +152,11 @@ Figure meshes_figure(Gallery& gallery) {
     draw(3, leg, nullptr, "a part of it, larger");
     draw(4, leg, &regions, "long and thin faces");
     draw(5, leg, &squares, "uniform faces");
+    Panel drawing(svg, sheet[6], full.width(), full.height());
+    drawing.picture(run.detected.drawing, full.width(), full.height());
+    drawing.caption("the drawing");
+    draw_posed(svg, sheet[7], run, gallery.references(), MeshMethod::voronoi_regions, "animated: torn where the legs begin");
+    draw_posed(svg, sheet[8], run, gallery.references(), MeshMethod::marching_squares, "animated");
     return {"fig-4.18-meshes.svg", svg.document("Contour, mesh of Voronoi regions, mesh of marching squares")};
 }
 

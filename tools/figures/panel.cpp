@@ -25,8 +25,11 @@ std::vector<Point2d> Panel::at(const std::vector<Point2i>& points) const {
 }
 
 void Panel::picture(const RgbImage& image, int width, int height, bool sharp) {
+    constexpr double detail = 1.6; // pixels of the file to one of the figure, at most
     const Point2d corner = at(-0.5, -0.5);
-    svg_.image({corner.x, corner.y, scale_ * width, scale_ * height}, encode_png(image), sharp);
+    const int shown_width = static_cast<int>(detail * scale_ * width), shown_height = static_cast<int>(detail * scale_ * height);
+    const bool shrinks = !sharp && image.width() > shown_width;
+    svg_.image({corner.x, corner.y, scale_ * width, scale_ * height}, encode_png(shrinks ? resize(image, shown_width, shown_height) : image), sharp);
 }
 
 void Panel::mask(const Mask& mask, Rgb8 colour) {

@@ -23,14 +23,14 @@ std::vector<int> ends_of(const SkeletonGraph& graph, Label label) {
 }
 
 Figure paths_figure(Gallery& gallery) {
-    const Run& run = gallery.run("quadruped.png");
+    const Run& run = gallery.run("dog.png");
     const SkeletonGraph& graph = run.skeleton.graph;
     const Grid<float> depth = distance_transform(run.skeleton.mask);
     const std::vector<int> legs = ends_of(graph, Label::limb);
     const std::vector<Point2d> first = shortest_path(graph, ends_of(graph, Label::head).front(), ends_of(graph, Label::tail).front()),
                                second_path = shortest_path(graph, legs.front(), legs.back());
-    Svg svg(640 + 2 * margin, 400 + 2 * margin);
-    Panel panel(svg, {margin, margin, 640, 400}, run.labels().width(), run.labels().height());
+    Svg svg(640 + 2 * margin, 340 + margin + caption_height + 8);
+    Panel panel(svg, {margin, margin, 640, 340}, run.labels().width(), run.labels().height());
     panel.mask(run.skeleton.mask, silhouette_colour);
     std::vector<std::vector<Point2d>> lines;
     for (const SkeletonEdge& edge : graph.edges) lines.push_back(panel.at(edge.pixels));
@@ -43,11 +43,12 @@ Figure paths_figure(Gallery& gallery) {
         svg.circle(panel.at(p), panel.scale() * radius, stroked(highlight, 1.8));
         svg.circle(panel.at(p), 4, filled(highlight));
     }
+    panel.caption("two skeleton paths (orange, green); pink: sample points with their maximal discs");
     return {"fig-4.14-skeleton-paths.svg", svg.document("Two skeleton paths, sample points with their maximal discs")};
 }
 
 Figure distance_figure(Gallery& gallery) {
-    const Run& run = gallery.run("quadruped.png");
+    const Run& run = gallery.run("dog.png");
     const Mask& mask = run.skeleton.mask;
     const SkeletonGraph& graph = run.skeleton.graph;
     const Grid<float> depth = distance_transform(mask);
@@ -65,7 +66,7 @@ Figure distance_figure(Gallery& gallery) {
     std::vector<std::vector<Point2d>> lines;
     for (const SkeletonEdge& edge : graph.edges) lines.push_back(right.at(edge.pixels));
     sheet.svg().lines(lines, stroked(turquoise, 2));
-    const std::vector<Point2d> samples = resample(shortest_path(graph, ends_of(graph, Label::limb).front(), ends_of(graph, Label::tail).front()), MappingOptions{}.samples);
+    const std::vector<Point2d> samples = resample(shortest_path(graph, ends_of(graph, Label::limb).back(), ends_of(graph, Label::tail).front()), MappingOptions{}.samples);
     for (const Point2d p : samples) sheet.svg().circle(right.at(p), 2.6, filled(ink));
     right.border();
     right.caption("(b) M = " + std::to_string(samples.size()) + " samples on the path between two end-effectors");
@@ -97,14 +98,14 @@ void draw_path(Svg& svg, Rectangle place, const pantin::Figure& figure, int from
 }
 
 Figure path_distance_figure(Gallery& gallery) {
-    const Run& run = gallery.run("quadruped.png");
+    const Run& run = gallery.run("dog.png");
     const Mapping& mapping = run.rig.mapping;
     const EndPair &from = mapping.pairs.front(), &to = mapping.pairs.back(); // the head's and a hind leg's
     const PathSamples& ours = path_between(mapping.ends, mapping.paths, from.end, to.end);
     const PathSamples& theirs = path_between(mapping.reference_ends, mapping.reference_paths, from.reference_end, to.reference_end);
 
     Svg svg(900, 330);
-    draw_path(svg, {margin, margin, 250, 130}, character_figure(run), from.end, to.end, second, "a path of the drawing, l = " + shown(ours.length, 1));
+    draw_path(svg, {margin, margin, 250, 130}, character_figure(run), from.end, to.end, second, "a path of the drawing, l = " + shown(ours.length, 1) + " mean radii");
     draw_path(svg, {margin, margin + 164, 250, 115}, reference_figure(run), from.reference_end, to.reference_end, part_colour(Label::tail), "its counterpart, l′ = " + shown(theirs.length, 1));
 
     std::vector<double> differences;
@@ -131,7 +132,7 @@ Figure path_distance_figure(Gallery& gallery) {
     svg.text({f.x + f.width / 2, plot.at(0, 0).y + 18}, "sample i = 0 … M − 1", {.size = 12, .fill = muted});
     legend(svg, {f.x + 8, plot.at(0, 0).y + 40}, {{"r_i", second}, {"r′_i", part_colour(Label::tail)}, {"(r_i − r′_i)² / (r_i + r′_i)", pale(accent)}});
     const double alpha = MappingOptions{}.alpha, l = ours.length, m = theirs.length, lengths = alpha * (l - m) * (l - m) / (l + m);
-    svg.text({f.x + 8, plot.at(0, 0).y + 64}, "pd = sum of the bars " + shown(radii, 2) + " + α (l − l′)² / (l + l′) " + shown(lengths, 2) + " = " + shown(path_distance(ours, theirs, alpha), 2),
+    svg.text({f.x + 8, plot.at(0, 0).y + 64}, "pd = " + shown(radii, 2, true) + " (sum of the bars) + " + shown(lengths, 2, true) + " (α (l − l′)² / (l + l′), α = " + shown(alpha) + ") = " + shown(path_distance(ours, theirs, alpha), 2, true),
              {.anchor = Anchor::start});
     return {"eq-4.9-path-distance.svg", svg.document("Radii along two skeleton paths, and the distance of the two")};
 }

@@ -24,8 +24,8 @@ Figure page_figure(Gallery& gallery) {
 }
 
 Figure overview_figure(Gallery& gallery) {
-    const RgbImage& page = gallery.page("quadruped.png");
-    const Run& run = gallery.run("quadruped.png");
+    const RgbImage& page = gallery.page("dog.png");
+    const Run& run = gallery.run("dog.png");
     const int width = run.labels().width(), height = run.labels().height();
     Sheet sheet(3, 2, 330, 220);
     Svg& svg = sheet.svg();

@@ -17,7 +17,7 @@ void draw_film(Svg& svg, Rectangle place, const Run& run, const std::string& cli
     const View view = view_of(run.rig, {animation});
     const RgbaImage texture = make_texture(run.detected.drawing, run.labels());
     RenderOptions options;
-    options.size = 360;
+    options.size = 300;
     const FrameRenderer renderer(run.rig, texture, view, options);
     for (int i = 0; i < count; ++i) {
         const double share = start + static_cast<double>(i) / count;

@@ -78,19 +78,19 @@ void draw_example(Svg& svg, Point2d at, const Mask& mask, Point2i p, const std::
 }
 
 Figure neighbourhood_figure(Gallery& gallery) {
-    const Mask& mask = gallery.run("humanoid.png").skeleton.mask;
-    Svg svg(836, 344);
+    const Mask& mask = gallery.run("person.png").skeleton.mask;
+    Svg svg(848, 318);
     draw_names(svg, {margin, margin}, 61);
-    svg.text({margin + 91, margin + 206}, "the neighbours of P1,");
-    svg.text({margin + 91, margin + 224}, "row i down, column j to the right");
-    svg.text({margin, margin + 258}, "B: how many of P2 … P9 are 1", {.size = 12.5, .anchor = Anchor::start, .fill = muted});
-    svg.text({margin, margin + 276}, "A: how often 0 is followed by 1", {.size = 12.5, .anchor = Anchor::start, .fill = muted});
-    svg.text({margin, margin + 294}, "in P2, P3, …, P9, P2", {.size = 12.5, .anchor = Anchor::start, .fill = muted});
-    const auto left = [](int i) { return margin + 224 + 204.0 * i; };
-    draw_example(svg, {left(0), margin}, mask, find_pixel(mask, [](const Conditions& c) { return c.deletes() && c.b == 4; }), "(a) deleted: all four hold");
-    draw_example(svg, {left(1), margin}, mask, find_pixel(mask, [](const Conditions& c) { return c.holds_a() && c.a == 1 && c.c == 1; }), "(b) kept for now: a western edge");
+    svg.text({margin + 91, margin + 206}, "the neighbours of P1");
+    svg.text({margin + 91, margin + 224}, "(row i, column j)");
+    svg.text({margin, margin + 252}, "B: how many of P2 … P9 are 1", {.size = 12.5, .anchor = Anchor::start, .fill = muted});
+    svg.text({margin, margin + 270}, "A: how often 0 is followed by 1", {.size = 12.5, .anchor = Anchor::start, .fill = muted});
+    svg.text({margin, margin + 288}, "in P2, P3, …, P9, P2", {.size = 12.5, .anchor = Anchor::start, .fill = muted});
+    const auto left = [](int i) { return margin + 232 + 204.0 * i; };
+    draw_example(svg, {left(0), margin}, mask, find_pixel(mask, [](const Conditions& c) { return c.deletes() && c.b == 4; }), "(a) deleted: all hold");
+    draw_example(svg, {left(1), margin}, mask, find_pixel(mask, [](const Conditions& c) { return c.holds_a() && c.a == 1 && c.c == 1; }), "(b) kept: Cc fails");
     const Mask thin = zhang_suen(mask);
-    draw_example(svg, {left(2), margin}, thin, find_pixel(thin, [](const Conditions& c) { return c.b == 2 && c.a == 2; }), "(c) kept: between two parts of a line");
+    draw_example(svg, {left(2), margin}, thin, find_pixel(thin, [](const Conditions& c) { return c.b == 2 && c.a == 2; }), "(c) kept: Cb fails");
     return {"fig-4.10-neighbourhood.svg", svg.document("The neighbours of a pixel, and the conditions at three pixels")};
 }
 
@@ -111,32 +111,47 @@ RgbImage step_picture(const Thinning& thinning, int last) {
     return image;
 }
 
-void draw_window(Sheet& sheet, int index, const RgbImage& image, const Box& window, const std::string& caption) {
-    Panel panel(sheet.svg(), sheet[index], window.width, window.height);
-    panel.picture(crop(image, window), window.width, window.height, true);
-    panel.border();
-    panel.caption(caption);
+// Every pixel with the number of its sub-iteration.
+void draw_numbers(Panel& panel, const Thinning& thinning, int last, const Box& window) {
+    std::vector<std::vector<Point2i>> pixels(static_cast<std::size_t>(last) + 1); // by sub-iteration; 0: kept
+    for (int y = 0; y < window.height; ++y)
+        for (int x = 0; x < window.width; ++x) {
+            const int step = thinning.removed_in(window.x + x, window.y + y);
+            if (step > 0 || thinning.thinned(window.x + x, window.y + y)) pixels[static_cast<std::size_t>(step)].push_back({x, y});
+        }
+    for (int step = 0; step <= last; ++step) panel.pixels(pixels[static_cast<std::size_t>(step)], step == 0 ? Rgb8{0, 0, 0} : colour_of(step, last));
+    for (int step = 1; step <= last; ++step)
+        for (const Point2i pixel : pixels[static_cast<std::size_t>(step)]) {
+            const Point2d p = panel.at(to_double(pixel));
+            panel.svg().text({p.x, p.y + 3.2}, std::to_string(step), {.size = 8.5, .fill = ink});
+        }
+}
+
+// About the lowest pixel of the skeleton, which is in a foot.
+Box foot_window(const Mask& skeleton, int width, int height) {
+    const Point2i lowest = foreground_pixels(skeleton).back();
+    return {std::clamp(lowest.x - width / 2, 0, skeleton.width() - width), std::clamp(lowest.y - height / 2, 0, skeleton.height() - height), width, height};
 }
 
 Figure thinning_figure(Gallery& gallery) {
-    const Skeletonization& s = gallery.run("humanoid.png").skeleton;
-    const Thinning shape = zhang_suen_steps(s.mask);
-    const int last = *std::max_element(shape.removed_in.begin(), shape.removed_in.end());
-    const RgbImage steps = step_picture(shape, last);
-    const Box whole{0, 0, s.mask.width(), s.mask.height()};
-    const auto end = std::max_element(s.graph.vertices.begin(), s.graph.vertices.end(), [](const SkeletonVertex& a, const SkeletonVertex& b) { return a.y < b.y; });
-    const int x = std::clamp(static_cast<int>(end->x) - 45, 0, whole.width - 90), y = whole.height - 112;
-    const Box foot{x, y, 90, 112};
-
-    Sheet sheet(3, 1, 290, 360, 26);
-    legend(sheet.svg(), {margin, 24}, {{"deleted in an odd sub-iteration, first light, last dark", colour_of(7, 13)}, {"deleted in an even one", colour_of(8, 13)}, {"kept", {0, 0, 0}}});
-    draw_window(sheet, 0, steps, whole, "(a) the whole silhouette is thinned in " + std::to_string(last));
-    draw_window(sheet, 1, steps, foot, "(b) sub-iterations; a foot, larger");
-    const Thinning ridges{s.thinned, s.thinned_in};
-    const int ridge_last = *std::max_element(s.thinned_in.begin(), s.thinned_in.end());
-    draw_window(sheet, 2, step_picture(ridges, std::max(ridge_last, 1)), foot,
-                "(c) the Voronoi ridges are thinned in " + std::to_string(ridge_last));
-    return {"alg-4.1-thinning.svg", sheet.svg().document("The sub-iteration in which thinning deletes each pixel")};
+    const Skeletonization& s = gallery.run("person.png").skeleton;
+    const Thinning thinning = zhang_suen_steps(s.mask);
+    const int last = *std::max_element(thinning.removed_in.begin(), thinning.removed_in.end());
+    const RgbImage steps = step_picture(thinning, last);
+    const Box whole{0, 0, s.mask.width(), s.mask.height()}, foot = foot_window(thinning.thinned, 33, 27);
+    Svg svg(3 * margin + 320 + 540, margin + 26 + 444 + caption_height + 6);
+    legend(svg, {margin, 24}, {{"odd sub-iteration", colour_of(7, 13)}, {"even sub-iteration", colour_of(8, 13)}, {"kept", {0, 0, 0}}, {"(light: early, dark: late)", paper}});
+    Panel left(svg, {margin, margin + 26, 320, 444}, whole.width, whole.height);
+    left.picture(steps, whole.width, whole.height, true);
+    left.border();
+    left.caption("(a) " + std::to_string(last) + " sub-iterations thin the silhouette");
+    const Point2d corner = left.at(foot.x - 0.5, foot.y - 0.5);
+    svg.rectangle({corner.x, corner.y, left.scale() * foot.width, left.scale() * foot.height}, stroked(accent, 1.5));
+    Panel right(svg, {2 * margin + 320, margin + 26, 540, 444}, foot.width, foot.height);
+    draw_numbers(right, thinning, last, foot);
+    right.border();
+    right.caption("(b) the red window: which sub-iteration deletes each pixel");
+    return {"alg-4.1-thinning.svg", svg.document("The sub-iteration in which thinning deletes each pixel")};
 }
 
 } // namespace

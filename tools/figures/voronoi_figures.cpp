@@ -62,13 +62,13 @@ void draw_contour(Sheet& sheet, const Skeletonization& skeleton) {
     sheet.svg().end_clip();
     panel.segments(ridges, stroked(accent, 2.4));
     for (const Point2i p : sites) sheet.svg().circle(panel.at(to_double(p)), 1.8, filled(second));
-    panel.caption("(b) points on a contour; red: inside, between no neighbours");
+    panel.caption("(b) points on a contour; red: inner edges of sites that are not neighbours");
 }
 
 Figure diagram_figure(Gallery& gallery) {
     Sheet sheet(2, 1, 420, 420);
     draw_points(sheet);
-    draw_contour(sheet, gallery.run("humanoid.png").skeleton);
+    draw_contour(sheet, gallery.run("person.png").skeleton);
     return {"fig-3.13-voronoi-diagram.svg", sheet.svg().document("Voronoi diagrams of points and of a contour")};
 }
 
