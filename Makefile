@@ -84,11 +84,11 @@ TEST_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tests/*.cpp test
 BENCH_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/bench/*.cpp)))
 COMPARE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/compare/*.cpp)))
 TORCH_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out tools/compare_torch/main.cpp,$(sort $(wildcard tools/compare_torch/*.cpp))))
-FIGURE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out tools/figures/main.cpp,$(sort $(wildcard tools/figures/*.cpp))))
+FIGURE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out tools/figures/main.cpp,$(sort $(wildcard tools/figures/*.cpp))) tools/bench/timing.cpp)
 EVALUATE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/identification/*.cpp)))
 RESOURCES := $(sort $(wildcard weights/*.safetensors references/*.json src/explain/assets/*.* src/explain/assets/*/*.*))
 
-.PHONY: all demo demo-run test test-run sanitize bench figures install install-files uninstall clean deps doodle check-gltf
+.PHONY: all demo demo-run test test-run sanitize bench figures results install install-files uninstall clean deps doodle check-gltf
 all: $(BUILD)/pantin
 
 # Set-up happens in a first make, so that the second one sees the libraries that were just installed. The second one uses
@@ -116,6 +116,12 @@ bench: $(BUILD)/bench
 # The pictures of docs/figures, from testdata/ alone: the same bytes every time.
 figures: $(BUILD)/figures
 	$(BUILD)/figures docs/figures
+
+# docs/results.md: times, which differ from run to run, and the success of each step on 30 generated drawings (a few minutes).
+results: $(BUILD)/figures $(BUILD)/doodle
+	rm -rf out/results
+	$(BUILD)/doodle out/results/drawings --seed 2026 --count 30 --type mixed --size 640 --height 480
+	$(BUILD)/figures results docs/results.md out/results/drawings out/results docs/verdicts.csv
 
 doodle: $(BUILD)/doodle
 
