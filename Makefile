@@ -94,13 +94,14 @@ TEST_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tests/*.cpp test
 BENCH_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/bench/*.cpp)))
 COMPARE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/compare/*.cpp)))
 TORCH_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out tools/compare_torch/main.cpp,$(sort $(wildcard tools/compare_torch/*.cpp))))
+FIGURE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out tools/figures/main.cpp,$(sort $(wildcard tools/figures/*.cpp))) tools/bench/timing.cpp)
 EVALUATE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/identification/*.cpp)))
 RESOURCES := $(sort $(wildcard weights/*.safetensors references/*.json src/explain/assets/*.* src/explain/assets/*/*.*))
 VECTORS := $(sort $(shell find testdata/vectors)) # folders, too, so that a file that goes away counts
 # The folder $(2) of $(1) as an archive whose bytes depend on its files alone.
 pack = tar -C $(1) --format=ustar --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX -cf - $(2) | gzip -9 -n
 
-.PHONY: verify update-verify verify-arm64 vectors vectors-files test-web all demo demo-run test test-run sanitize bench install install-files uninstall clean deps doodle check-gltf
+.PHONY: verify update-verify verify-arm64 vectors vectors-files test-web all demo demo-run test test-run sanitize bench figures results install install-files uninstall clean deps doodle check-gltf
 all: $(BUILD)/pantin
 
 # Set-up happens in a first make, so that the second one sees the libraries that were just installed. The second one uses
@@ -124,6 +125,16 @@ sanitize:
 
 bench: $(BUILD)/bench
 	$(BUILD)/bench
+
+# The pictures of docs/figures, from testdata/ alone: the same bytes every time.
+figures: $(BUILD)/figures
+	$(BUILD)/figures docs/figures
+
+# docs/results.md: times, which differ from run to run, and the success of each step on 30 generated drawings (a few minutes).
+results: $(BUILD)/figures $(BUILD)/doodle
+	rm -rf out/results
+	$(BUILD)/doodle out/results/drawings --seed 2026 --count 30 --type mixed --size 640 --height 480
+	$(BUILD)/figures results docs/results.md out/results/drawings out/results docs/verdicts.csv
 
 doodle: $(BUILD)/doodle
 
@@ -165,7 +176,7 @@ $(BUILD)/libpantin.a: $(LIB_OBJECTS)
 	$(call run,AR)$(AR) rcsD $@ $^
 $(BUILD)/doodle: $(BUILD)/tools/doodle/main.o $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
 	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
-$(BUILD)/pantin-tests: $(TEST_OBJECTS) $(DOODLE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/libpantin.a
+$(BUILD)/pantin-tests: $(TEST_OBJECTS) $(DOODLE_OBJECTS) $(FIGURE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/libpantin.a
 	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 $(BUILD)/tests/%.o: CPPFLAGS += -Itests
 # Tests take longer to compile than to run; instrumented assertions and option parsers most of all.
@@ -176,6 +187,8 @@ endif
 $(BUILD)/bench: $(BENCH_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
 	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 
+$(BUILD)/figures: $(BUILD)/tools/figures/main.o $(FIGURE_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
+	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 $(BUILD)/compare_reference: $(COMPARE_OBJECTS) $(BUILD)/libpantin.a
 	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 $(BUILD)/compare_torch: $(BUILD)/tools/compare_torch/main.o $(TORCH_OBJECTS) $(BUILD)/libpantin.a
@@ -199,7 +212,7 @@ $(BUILD)/resources.o: $(BUILD)/resources.S
 $(BUILD)/%.o: %.cpp
 	@mkdir -p $(@D)
 	$(call run,CXX)$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(FILE_FLAGS) -MMD -MP -c -o $@ $<
--include $(patsubst %.o,%.d,$(LIB_OBJECTS) $(DOODLE_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS) $(COMPARE_OBJECTS) $(EVALUATE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/tools/compare_torch/main.o $(BUILD)/src/cli/main.o $(BUILD)/tools/doodle/main.o $(BUILD)/tools/motion_quality/main.o)
+-include $(patsubst %.o,%.d,$(LIB_OBJECTS) $(DOODLE_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS) $(COMPARE_OBJECTS) $(FIGURE_OBJECTS) $(EVALUATE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/tools/compare_torch/main.o $(BUILD)/src/cli/main.o $(BUILD)/tools/doodle/main.o $(BUILD)/tools/figures/main.o $(BUILD)/tools/motion_quality/main.o)
 
 # What stands where: program, library, headers, man pages, completion, pkg-config.
 share = $(DESTDIR)$(PREFIX)/share

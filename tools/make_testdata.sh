@@ -44,3 +44,8 @@ mkdir -p "$out/vectors/humanoid" "$out/vectors/quadruped" "$out/vectors/flyer"
 draw vectors/humanoid/page.png image 21 17 --types humanoid $tiny
 draw vectors/quadruped/page.png image 22 55 --types quadruped $tiny
 draw vectors/flyer/page.png image 23 52 --types flying $tiny
+
+# closed outlines, for the figures of docs/figures
+clear="--photo 0 --paper 0 --colour 0 --pen 3.5 --fill 0.92 --gaps 0 --tilt 0.3"
+draw dog.png image 31 3 --type quadruped --size 480 --height 360 $clear
+draw person.png image 32 4 --type humanoid --size 360 --height 480 $clear

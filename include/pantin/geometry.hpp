@@ -30,6 +30,9 @@ struct Delaunay {
 // the set of points alone, not on their order.
 Delaunay delaunay(const std::vector<Point2i>& points);
 
+// Centre of the circle through three points that are not collinear, |coordinate| < 2^24. Exact up to the last rounding, so that of
+// cocircular triangles it is the same to the bit.
+Point2d circumcentre(Point2i a, Point2i b, Point2i c);
 // An edge of the Voronoi diagram: dual of the Delaunay edge between two sites.
 struct VoronoiEdge {
     Point2d from, to;           // circumcentres

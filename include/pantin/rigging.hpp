@@ -94,7 +94,12 @@ struct Mesh {
     // so 1 … 15 (Fig. 4.17); else empty.
     std::vector<std::uint8_t> cases{};
 };
+enum class MeshMethod {
+    marching_squares, // the voxel-based mesh of the thesis
+    voronoi_regions   // what it is compared with in Fig. 4.18(b); takes the margin alone of the options below
+};
 struct MeshOptions {
+    MeshMethod method = MeshMethod::marching_squares;
     int cell = 0; // side of a voxel in working pixels; 0: from the size and the thinnest limb (ERRATA 21)
     double margin = -1; // the silhouette is grown by this many pixels first; −1: `ink_margin`; `thesis`: 0
     bool interpolate_distance = true; // `thesis`: false, the midpoint
@@ -106,6 +111,15 @@ struct MeshOptions {
 // every edge has one or two faces. With `cell` 0 the cell starts at side/64 and shrinks until the mesh has as
 // many pieces as the grown silhouette and all its holes of more than four voxels (or the cell is 2).
 Mesh marching_squares(const Mask& silhouette, const MeshOptions& options);
+
+// The Voronoi regions of the border's pixels inside the silhouette (thesis 4.6, Fig. 4.18(b)) grown by `margin` pixels (negative:
+// 0), each cut into a fan of triangles about its site. Borders run 1/4 pixel inside the pixels' outer sides. Vertices and edges are shared
+// as above; pieces and holes are those of the grown silhouette. About four vertices and six faces a border pixel, long and thin:
+// such a mesh tears where weights differ, which is why it is not the default.
+Mesh voronoi_mesh(const Mask& silhouette, double margin = 0);
+
+// The mesh by the method of the options.
+Mesh make_mesh(const Mask& silhouette, const MeshOptions& options);
 
 // Half of a pen's stroke may lie outside a silhouette whose border runs along the stroke's middle. Mesh and
 // texture reach this many working pixels beyond it: 1.2 % of the longer side, at least 2.

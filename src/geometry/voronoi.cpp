@@ -27,7 +27,8 @@ double quotient(__int128 numerator, __int128 denominator) {
     return static_cast<double>(numerator) / static_cast<double>(denominator);
 }
 
-// Circumcentre of a positively oriented triangle.
+} // namespace
+
 Point2d circumcentre(Point2i a, Point2i b, Point2i c) {
     const auto squared = [](Point2i p) {
         return static_cast<std::int64_t>(p.x) * p.x + static_cast<std::int64_t>(p.y) * p.y;
@@ -38,8 +39,6 @@ Point2d circumcentre(Point2i a, Point2i b, Point2i c) {
     return {quotient(aa * (by - cy) + bb * (cy - ay) + cc * (ay - by), denominator),
             quotient(aa * (cx - bx) + bb * (ax - cx) + cc * (bx - ax), denominator)};
 }
-
-} // namespace
 
 std::vector<VoronoiEdge> voronoi_edges(const std::vector<Point2i>& points, const Delaunay& triangulation) {
     const auto& triangles = triangulation.triangles;

@@ -124,6 +124,7 @@ template <class Visitor> void visit_rigging(RigOptions& o, Visitor& visit) {
     visit("rigging.mixed_reach", o.mapping.mixed_reach, 0, 2);
     visit("rigging.unmatched_cost", o.mapping.unmatched_cost, 0, 1000);
     visit("rigging.prior_weight", o.mapping.prior_weight, 0, 1000);
+    visit("rigging.mesh", o.mesh.method, {"marching_squares", "voronoi_regions"});
     visit("rigging.cell", o.mesh.cell, 0, 512);
     visit("rigging.margin", o.mesh.margin, -1, 100);
     visit("rigging.interpolate_distance", o.mesh.interpolate_distance);

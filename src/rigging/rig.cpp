@@ -19,7 +19,7 @@ namespace {
 
 constexpr double depth_step = 0.002; // world units between two parts in the draw order
 
-// The median edge along the axes: the cell, also when it was chosen automatically.
+// The median edge along the axes: the cell, also when it was chosen automatically. Of Voronoi regions, whose edges are shorter, a pixel.
 double cell_of(const Mesh& mesh) {
     std::vector<double> lengths = {1};
     for (const auto& [u, v] : edges_of(mesh)) {
@@ -28,7 +28,7 @@ double cell_of(const Mesh& mesh) {
     }
     const auto middle = lengths.begin() + std::ssize(lengths) / 2;
     std::nth_element(lengths.begin(), middle, lengths.end());
-    return *middle;
+    return std::max(1.0, *middle);
 }
 
 Point2d centre_of(const LabelMap& labels, const Mask& silhouette, Label label, Point2d otherwise) {
@@ -112,6 +112,10 @@ void rig_smoothly(Rig& rig, const SkeletonGraph& graph, const LabelMap& labels, 
 
 } // namespace
 
+Mesh make_mesh(const Mask& silhouette, const MeshOptions& options) {
+    return options.method == MeshMethod::voronoi_regions ? voronoi_mesh(silhouette, options.margin) : marching_squares(silhouette, options);
+}
+
 Rig rig_with_mapping(const SkeletonGraph& graph, const LabelMap& labels, const ReferenceSkeleton& reference,
                      bool mirrored, const Mapping& mapping, const RigOptions& options) {
     if (mapping.pairs.empty()) require_bones(0);
@@ -122,7 +126,7 @@ Rig rig_with_mapping(const SkeletonGraph& graph, const LabelMap& labels, const R
     MeshOptions mesh = options.mesh;
     if (mesh.margin < 0) mesh.margin = ink_margin(rig.width, rig.height);
     const Mask silhouette = foreground(labels);
-    rig.mesh = marching_squares(silhouette, mesh);
+    rig.mesh = make_mesh(silhouette, mesh);
     if (rig.mesh.faces.empty()) throw CharacterRejected("rig", "the silhouette is empty");
     const LabelMap filled = nearest_labels(labels);
     if (options.thesis_weights)

@@ -1,0 +1,54 @@
+// The drawings of testdata/ and what each step made of them, computed once when it is first asked for.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pantin/pipeline.hpp"
+
+namespace pantin::figures {
+
+// One character through all steps.
+struct Run {
+    DetectedCharacter detected;
+    Segmentation segmentation;
+    Skeletonization skeleton;
+    Identification identification;
+    Rig rig;
+    const ReferenceSkeleton* reference = nullptr; // that identification chose
+
+    const LabelMap& labels() const { return segmentation.labels; }
+    const Candidate& candidate() const; // of that reference
+};
+
+class Gallery {
+public:
+    explicit Gallery(std::string folder) : folder_(std::move(folder)), references_(load_references()) {}
+
+    Networks& networks() { return networks_; }
+    const std::vector<ReferenceSkeleton>& references() const { return references_; }
+    const ReferenceSkeleton& reference(const std::string& name) const;
+
+    // A picture of the folder.
+    const RgbImage& page(const std::string& file);
+    // Its characters, detected by the network.
+    const Detection& detection(const std::string& file);
+    // Number `index` of them through all steps of the preset "default" or "thesis". Both share detection and segmentation of the
+    // default preset, at its working size.
+    const Run& run(const std::string& file, std::size_t index = 0, const std::string& preset = "default");
+    // A label map of the folder.
+    LabelMap labels(const std::string& file) const;
+
+private:
+    const Run& segmented(const std::string& file, std::size_t index);
+
+    std::string folder_;
+    Networks networks_;
+    std::vector<ReferenceSkeleton> references_;
+    std::map<std::string, RgbImage> pages_;
+    std::map<std::string, Detection> detections_;
+    std::map<std::string, Run> segmented_, runs_;
+};
+
+} // namespace pantin::figures

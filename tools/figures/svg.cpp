@@ -1,0 +1,148 @@
+#include "figures/svg.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace pantin::figures {
+namespace {
+
+std::string base64(const std::vector<unsigned char>& bytes) {
+    constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t left = bytes.size() - i;
+        const unsigned word = bytes[i] << 16 | (left > 1 ? bytes[i + 1] << 8 : 0) | (left > 2 ? bytes[i + 2] : 0);
+        text += digits[word >> 18];
+        text += digits[word >> 12 & 63];
+        text += left > 1 ? digits[word >> 6 & 63] : '=';
+        text += left > 2 ? digits[word & 63] : '=';
+    }
+    return text;
+}
+
+std::string attribute(const char* name, const std::string& value) { return std::string(" ") + name + "=\"" + value + "\""; }
+std::string attribute(const char* name, double value) { return attribute(name, number(value)); }
+
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '&') out += "&amp;";
+        else if (c == '<') out += "&lt;";
+        else if (c == '>') out += "&gt;";
+        else if (c == '"') out += "&quot;";
+        else out += c;
+    }
+    return out;
+}
+
+std::string fixed(double value, int decimals) {
+    std::array<char, 64> text{};
+    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
+    return {text.data(), end};
+}
+
+std::string pair(Point2d p) { return number(p.x) + " " + number(p.y); }
+
+std::string path_of(const std::vector<std::vector<Point2d>>& lines, bool closed) {
+    std::string d;
+    for (const std::vector<Point2d>& line : lines) {
+        for (std::size_t i = 0; i < line.size(); ++i) d += (i == 0 ? "M" : i == 1 ? "L" : " ") + pair(line[i]);
+        if (closed) d += "Z";
+    }
+    return d;
+}
+
+} // namespace
+
+std::string colour(Rgb8 value) {
+    std::array<char, 8> text{};
+    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", value.r, value.g, value.b);
+    return text.data();
+}
+Style filled(Rgb8 fill, double opacity) { return {.fill = colour(fill), .opacity = opacity}; }
+Style stroked(Rgb8 stroke, double width) { return {.stroke = colour(stroke), .width = width}; }
+Style outlined(Rgb8 fill, Rgb8 stroke, double width) { return {.fill = colour(fill), .stroke = colour(stroke), .width = width}; }
+
+std::string number(double value, int decimals) {
+    std::string digits = fixed(value, decimals);
+    if (digits.find('.') != std::string::npos) {
+        digits.erase(digits.find_last_not_of('0') + 1);
+        if (digits.back() == '.') digits.pop_back();
+    }
+    return digits == "-0" ? "0" : digits;
+}
+
+std::string shown(double value, int decimals, bool padded) {
+    std::string digits = padded ? fixed(value, decimals) : number(value, decimals);
+    if (digits.front() == '-') digits.replace(0, 1, "−");
+    return digits;
+}
+
+void Svg::shape(const std::string& element, const Style& style) {
+    body_ += "<" + element + attribute("fill", style.fill);
+    if (style.stroke != "none") body_ += attribute("stroke", style.stroke) + attribute("stroke-width", style.width);
+    if (style.opacity < 1) body_ += attribute("opacity", style.opacity);
+    if (!style.dash.empty()) body_ += attribute("stroke-dasharray", style.dash);
+    if (!style.cap.empty()) body_ += attribute("stroke-linecap", style.cap) + attribute("stroke-linejoin", style.cap);
+    body_ += "/>\n";
+}
+
+void Svg::rectangle(Rectangle r, const Style& style, double corner) {
+    shape("rect" + attribute("x", r.x) + attribute("y", r.y) + attribute("width", r.width) + attribute("height", r.height) +
+              (corner > 0 ? attribute("rx", corner) : ""),
+          style);
+}
+void Svg::circle(Point2d centre, double radius, const Style& style) {
+    shape("circle" + attribute("cx", centre.x) + attribute("cy", centre.y) + attribute("r", radius), style);
+}
+void Svg::line(Point2d from, Point2d to, const Style& style) { lines({{from, to}}, style); }
+void Svg::arrow(Point2d from, Point2d to, const Style& style) {
+    const double size = 4 + 2 * style.width, whole = std::max(1e-9, distance(from, to));
+    const Point2d along = (1 / whole) * (to - from), across{-along.y, along.x}, neck = to - size * along;
+    line(from, neck, style);
+    polygons({{to, neck + 0.45 * size * across, neck - 0.45 * size * across}}, {.fill = style.stroke});
+}
+void Svg::polyline(const std::vector<Point2d>& points, const Style& style, bool closed) {
+    shape("path" + attribute("d", path_of({points}, closed)), style);
+}
+void Svg::lines(const std::vector<std::vector<Point2d>>& lines, const Style& style) {
+    shape("path" + attribute("d", path_of(lines, false)), style);
+}
+void Svg::polygons(const std::vector<std::vector<Point2d>>& polygons, const Style& style) {
+    shape("path" + attribute("fill-rule", std::string("evenodd")) + attribute("d", path_of(polygons, true)), style);
+}
+
+void Svg::text(Point2d at, const std::string& text, const TextStyle& style) {
+    constexpr const char* anchors[] = {"start", "middle", "end"};
+    body_ += "<text" + attribute("x", at.x) + attribute("y", at.y) + attribute("font-size", style.size);
+    if (style.anchor != Anchor::start) body_ += attribute("text-anchor", std::string(anchors[static_cast<int>(style.anchor)]));
+    if (style.bold) body_ += attribute("font-weight", std::string("bold"));
+    if (style.turn != 0) body_ += attribute("transform", "rotate(" + number(style.turn) + " " + pair(at) + ")");
+    body_ += attribute("fill", colour(style.fill)) + ">" + escaped(text) + "</text>\n";
+}
+
+void Svg::image(Rectangle r, const std::vector<unsigned char>& png, bool sharp) {
+    body_ += "<image" + attribute("x", r.x) + attribute("y", r.y) + attribute("width", r.width) + attribute("height", r.height) +
+             attribute("preserveAspectRatio", std::string("none"));
+    if (sharp) body_ += attribute("style", std::string("image-rendering:pixelated"));
+    body_ += " xlink:href=\"data:image/png;base64," + base64(png) + "\"/>\n";
+}
+
+void Svg::begin_clip(Rectangle r) {
+    const std::string id = "clip" + std::to_string(++clips_);
+    body_ += "<clipPath id=\"" + id + "\">";
+    rectangle(r, {});
+    body_ += "</clipPath><g clip-path=\"url(#" + id + ")\">\n";
+}
+void Svg::end_clip() { body_ += "</g>\n"; }
+
+std::string Svg::document(const std::string& title) const {
+    const std::string w = number(width_), h = number(height_);
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"" + w + "\" height=\"" + h +
+           "\" viewBox=\"0 0 " + w + " " + h + "\" role=\"img\" font-family=\"Helvetica, Arial, sans-serif\">\n<title>" +
+           escaped(title) + "</title>\n<rect width=\"" + w + "\" height=\"" + h + "\" fill=\"#ffffff\"/>\n" + body_ + "</svg>\n";
+}
+
+} // namespace pantin::figures
