@@ -17,6 +17,7 @@ need /usr/include/webp/mux.h libwebp-dev
 need /usr/include/gif_lib.h libgif-dev
 need /usr/include/yaml-cpp/yaml.h libyaml-cpp-dev
 need /usr/include/pugixml.hpp libpugixml-dev
+need /usr/include/valijson/validator.hpp libvalijson-dev
 need /usr/bin/pkg-config pkg-config
 [ -z "$missing" ] && exit 0
 if ! command -v apt-get >/dev/null 2>&1; then

@@ -78,7 +78,7 @@ struct Skeletonization {
 // `labels`: working size, any sides; ≠ 0 is the silhouette, of which the largest component counts. The
 // skeleton is homotopic to the mask before cycles are cut, so it is connected. A silhouette with neither end
 // nor junction (a ring) gives a triangle. Throws CharacterRejected("skeletonize", …) when the silhouette is
-// empty or the skeleton shrinks to a single point after H1 and H2 (a disc, a head alone).
+// empty, its borders have more than 100,000 points, or the skeleton shrinks to a single point after H1 and H2 (a disc, a head alone).
 Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions& options = {});
 
 // The sub-steps, each usable alone.

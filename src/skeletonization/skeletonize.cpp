@@ -2,6 +2,7 @@
 #include "pantin/skeletonization.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "pantin/image.hpp"
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double reference_side = 321; // pixel constants of the thesis hold at this size
 constexpr double lowest_threshold = 7; // at that size; below it the skeleton shows the pen, not the shape
+constexpr long most_border_points = 100'000; // a drawing has some thousand; each is a site of the Voronoi diagram
 
 long area(const Mask& mask) { return std::count(mask.begin(), mask.end(), 1); }
 
@@ -91,6 +93,11 @@ Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions
     s.mask = silhouette(labels, options.fill_holes_share);
     if (area(s.mask) == 0) throw CharacterRejected("skeletonize", "the silhouette is empty");
     s.contour = follow_borders(s.mask);
+    long points = 0;
+    for (const Border& border : s.contour) points += static_cast<long>(border.points.size());
+    if (points > most_border_points)
+        throw CharacterRejected("skeletonize", "the silhouette's border has " + std::to_string(points) + " points; the limit is " +
+                                                   std::to_string(most_border_points));
     const BorderSites sites = border_sites(s.contour, s.mask.width(), s.mask.height());
     if (options.method == SkeletonMethod::voronoi) find_voronoi(s, sites, options.residual);
     const LabelMap parts = labels_on(s.mask, labels);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/demo.hpp"
+#include "core/random.hpp"
 #include "pantin/image.hpp"
 
 using namespace pantin;
@@ -119,6 +120,25 @@ TEST_CASE("A character that cannot go on gets a status, exit code 7, and later a
     CHECK(demo.run("skeletonize").code == 0);
     CHECK(demo.status() == "ok");
     CHECK((read_all(demo.out) == read_all(animated_demo())));
+}
+
+TEST_CASE("Labels like confetti are a scribble", "[cli][end-to-end]") {
+    const DemoCopy demo;
+    GreyImage labels = load_grey(demo.character / "labels.png");
+    Random random(4);
+    for (std::uint8_t& label : labels)
+        if (label != 0) label = static_cast<std::uint8_t>(random.integer(1, 5));
+    save_png(demo.character / "labels.png", labels);
+    const Outcome outcome = demo.run("identify");
+    CHECK(outcome.code == 7);
+    CHECK(outcome.err == "pantin: " + demo.character.string() + ": identify: a scribble: its parts are scattered\n");
+}
+
+TEST_CASE("A clip that the reference has not is refused with those that it has", "[cli][end-to-end]") {
+    const DemoCopy demo;
+    const Outcome outcome = demo.run("render", {"--clip", "dance"});
+    CHECK(outcome.code == 7);
+    CHECK(outcome.err == "pantin: " + demo.character.string() + ": render: the flying has no clip 'dance' (fly, idle, glide)\n");
 }
 
 TEST_CASE("A folder stands alone, without page.json, too", "[cli][end-to-end]") {

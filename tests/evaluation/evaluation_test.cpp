@@ -1,12 +1,10 @@
 // `pantin evaluate`: measures against values worked out by hand, a generated dataset, datasets with faults.
 #include <catch2/catch.hpp>
 
-#include <fstream>
-
 #include <nlohmann/json.hpp>
 
 #include "core/file.hpp"
-#include "doodle/doodle.hpp"
+#include "evaluation/dataset.hpp"
 #include "pantin/error.hpp"
 #include "pantin/evaluation.hpp"
 #include "pantin/image.hpp"
@@ -20,27 +18,6 @@ namespace fs = std::filesystem;
 
 FoundCharacter found(const char* page, double score, int character, double overlap) {
     return {page, score, character, character, overlap, overlap};
-}
-
-// Two pages of the generator, as tools/doodle writes them.
-void write_dataset(const fs::path& folder) {
-    doodle::DoodleOptions options;
-    options.width = 400;
-    options.height = 300;
-    options.photo = options.paper = options.colour = 0;
-    for (const char* part : {"image", "label", "instance"}) fs::create_directories(folder / part);
-    std::ofstream index(folder / "index.ndjson");
-    for (const int number : {1, 2}) {
-        const std::string id = "page-" + std::to_string(number);
-        const doodle::Page page = doodle::draw_page({"humanoid", "quadruped"}, 40 + number, options);
-        save_png(folder / "image" / (id + ".png"), page.picture);
-        save_png(folder / "label" / (id + ".png"), page.labels);
-        save_png(folder / "instance" / (id + ".png"), page.instances);
-        nlohmann::json row = {{"id", id}, {"characters", nlohmann::json::array()}};
-        for (const doodle::Character& c : page.characters)
-            row["characters"].push_back({{"type", c.type}, {"species", c.species}, {"pose", c.pose}});
-        index << row.dump() << "\n";
-    }
 }
 
 std::string failure(const fs::path& folder) {

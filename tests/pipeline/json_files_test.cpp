@@ -1,7 +1,10 @@
 #include <catch2/catch.hpp>
 
 #include "core/random.hpp"
+#include <algorithm>
 #include <functional>
+
+#include <nlohmann/json.hpp>
 
 #include "pipeline/character.hpp"
 #include "pipeline/json_files.hpp"
@@ -197,6 +200,21 @@ TEST_CASE("A mapping survives the way to JSON and back; an end is mapped once", 
     CHECK(message_of([&] {
               mapping_from_json(mapping_to_json(mapping), "mapping.json", graph, reference);
           }) == "mapping.json: pairs[1].end: is mapped twice");
+}
+
+TEST_CASE("A Voronoi edge between two borders has no residual", "[pipeline]") {
+    LabelMap ring(40, 40, static_cast<std::uint8_t>(Label::body));
+    for (int y = 15; y < 25; ++y)
+        for (int x = 15; x < 25; ++x) ring(x, y) = 0;
+    SkeletonizationOptions options;
+    options.fill_holes_share = 0;
+    options.cut_cycles = false;
+    const Skeletonization skeleton = skeletonize(ring, options);
+    REQUIRE(skeleton.contour.size() == 2);
+    const auto json = nlohmann::json::parse(voronoi_to_json(skeleton.voronoi, skeleton.residuals));
+    const auto is_between = [](const nlohmann::json& edge) { return edge["residual"].is_null(); };
+    CHECK(std::any_of(json["edges"].begin(), json["edges"].end(), is_between));
+    CHECK_FALSE(std::all_of(json["edges"].begin(), json["edges"].end(), is_between));
 }
 
 TEST_CASE("weights.txt reads back to the weights that it was written from", "[pipeline]") {

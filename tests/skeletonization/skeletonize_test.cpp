@@ -240,6 +240,11 @@ TEST_CASE("rings are loops; discs, dots and empty pictures are rejected with the
     dot(3, 4) = 1;
     CHECK(reason(dot) == "skeletonize: the skeleton is a single point");
     CHECK(reason(LabelMap(1, 1, 1)) == "skeletonize: the skeleton is a single point");
+    LabelMap comb(700, 700); // teeth of one pixel
+    for (int y = 0; y < 700; ++y)
+        for (int x = 0; x < 700; ++x) comb(x, y) = y % 2 == 0 || x == 0;
+    CHECK(reason(comb).starts_with("skeletonize: the silhouette's border has "));
+    CHECK(reason(comb).ends_with(" points; the limit is 100000"));
     CHECK(reason(LabelMap(300, 1, 3)) == "accepted"); // a line from end to end of the image
 }
 

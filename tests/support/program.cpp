@@ -31,19 +31,17 @@ std::string program() {
     dup2(to_err, STDERR_FILENO);
     unsetenv("PANTIN_WEIGHTS");
     for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
-    std::vector<char*> argv{const_cast<char*>("pantin")};
+    std::vector<char*> argv{const_cast<char*>(file.c_str())};
     for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
     execv(file.c_str(), argv.data());
     _exit(127);
 }
 
-} // namespace
-
-Outcome run_pantin(const std::vector<std::string>& arguments, const Environment& environment,
-                   const std::string& standard_output, const std::string& standard_input) {
+Outcome run(const std::string& file, const std::vector<std::string>& arguments, const Environment& environment,
+            const std::string& standard_output, const std::string& standard_input) {
     const TemporaryFolder folder;
-    const std::string file = program(), err = (folder / "err").string();
+    const std::string err = (folder / "err").string();
     const std::string out = standard_output.empty() ? (folder / "out").string() : standard_output;
     const std::string in = (folder / "in").string();
     write(in, standard_input);
@@ -57,6 +55,18 @@ Outcome run_pantin(const std::vector<std::string>& arguments, const Environment&
     if (standard_output.empty()) outcome.out = read(out);
     outcome.err = read(err);
     return outcome;
+}
+
+} // namespace
+
+Outcome run_pantin(const std::vector<std::string>& arguments, const Environment& environment,
+                   const std::string& standard_output, const std::string& standard_input) {
+    return run(program(), arguments, environment, standard_output, standard_input);
+}
+
+Outcome run_shell(const std::string& script, const std::filesystem::path& folder) {
+    const std::string head = "cd '" + folder.string() + "'\npantin() { '" + program() + "' \"$@\"; }\n";
+    return run("/bin/sh", {"-e", "-u", "-c", head + script}, {}, "", "");
 }
 
 } // namespace pantin::test
