@@ -169,7 +169,7 @@ RefineSkeleton threshold(int which, double value, const std::string& part = "") 
     return call;
 }
 
-const std::vector<double> rising = {0.002, 0.006, 0.012, 0.02, 0.035, 0.05, 0.08, 0.13, 0.22, 0.4};
+const std::vector<double> rising = {0, 0.002, 0.006, 0.012, 0.02, 0.035, 0.05, 0.08, 0.13, 0.22, 0.4};
 
 } // namespace
 
