@@ -1,6 +1,6 @@
 # Pantin. `make demo` and `make test` do everything on a fresh Debian 12, set-up included.
 #   config=release|debug|sanitize   objects and programs go to build/$(config)/
-#   GLPK=0 WEBP=0 GIF=0 YAML=0 PUGIXML=0   build without that library (the tests need pugixml)
+#   GLPK=0 WEBP=0 GIF=0 YAML=0 PUGIXML=0 CGAL=0   build without that library (the tests need pugixml)
 #   STATIC=1                        one static binary, build/release-static/pantin
 #   werror=1                        warnings are errors (CI);    CXX=clang++  another compiler
 #   V=1                             shows the commands
@@ -26,6 +26,8 @@ WEBP ?= $(call have,webp/mux.h)
 GIF ?= $(call have,gif_lib.h)
 YAML ?= $(call have_cxx,yaml-cpp/yaml.h)
 PUGIXML ?= $(call have_cxx,pugixml.hpp)
+# Only tests compare with CGAL: nothing installs it, and instrumenting it tells nothing.
+CGAL ?= $(if $(filter sanitize,$(config)),0,$(and $(call have,gmp.h),$(call have_cxx,CGAL/version.h)))
 
 # Determinism: no contraction of a*b+c, no fast-math, on any compiler (docs/determinism.md).
 CPPFLAGS += -Iinclude -Isrc -Itools -isystem /usr/include/eigen3 -DPANTIN_VERSION='"$(VERSION)"' \
@@ -81,6 +83,12 @@ ifeq ($(YAML),1)
 endif
 
 SOURCES := $(sort $(wildcard src/*/*.cpp src/*/*/*.cpp))
+ifeq ($(CGAL),1)
+  SOURCES := $(filter-out src/modeling/exact_union_unavailable.cpp,$(SOURCES))
+  CGAL_LDLIBS := -lmpfr -lgmp
+else
+  SOURCES := $(filter-out src/modeling/cgal/%,$(SOURCES))
+endif
 ifneq ($(GLPK),1)
   SOURCES := $(filter-out src/identification/glpk/%,$(SOURCES))
 endif
@@ -177,10 +185,12 @@ $(BUILD)/libpantin.a: $(LIB_OBJECTS)
 $(BUILD)/doodle: $(BUILD)/tools/doodle/main.o $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
 	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
 $(BUILD)/pantin-tests: $(TEST_OBJECTS) $(DOODLE_OBJECTS) $(FIGURE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/libpantin.a
-	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS) $(CGAL_LDLIBS)
 $(BUILD)/tests/%.o: CPPFLAGS += -Itests
 # Tests take longer to compile than to run; instrumented assertions and option parsers most of all.
 $(BUILD)/tests/%.o: CXXFLAGS += -O$(if $(filter release,$(config)),1,0)
+# CGAL's interval arithmetic changes the rounding mode; g++ 12 reports false maybe-uninitialized reads in its headers.
+$(BUILD)/src/modeling/cgal/%.o: CXXFLAGS += -O1 -frounding-math -Wno-unknown-warning-option -Wno-maybe-uninitialized
 ifeq ($(config),sanitize)
 $(BUILD)/src/cli/%.o: CXXFLAGS += -O0
 endif
@@ -225,7 +235,7 @@ install-files:
 	$(INSTALL) -m 644 $(BUILD)/libpantin.a $(DESTDIR)$(PREFIX)/lib/libpantin.a
 	$(INSTALL) -m 644 include/pantin/*.hpp $(DESTDIR)$(PREFIX)/include/pantin/
 	printf 'prefix=%s\nName: pantin\nDescription: drawings of characters come alive\nVersion: %s\nCflags: -I$${prefix}/include\nLibs: -L$${prefix}/lib -lpantin -pthread %s\n' \
-	    '$(PREFIX)' '$(VERSION)' '$(LDLIBS)' > $(DESTDIR)$(PREFIX)/lib/pkgconfig/pantin.pc
+	    '$(PREFIX)' '$(VERSION)' '$(LDLIBS) $(CGAL_LDLIBS)' > $(DESTDIR)$(PREFIX)/lib/pkgconfig/pantin.pc
 	$(BUILD)/pantin manual -o $(share)/man/man1
 	$(BUILD)/pantin completion bash > $(DESTDIR)$(PREFIX)/$(word 1,$(completions))
 	$(BUILD)/pantin completion zsh > $(DESTDIR)$(PREFIX)/$(word 2,$(completions))

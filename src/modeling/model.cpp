@@ -114,7 +114,8 @@ void Model::add_part(const PartStroke& part) {
     d->skeleton = options_.skeleton;
     extract(*d);
     if (d->flat.outline.cut > 0)
-        repairs_.push_back("part '" + part.name + "': the stroke crosses itself " + std::to_string(d->flat.outline.cut) + " times, cut");
+        repairs_.push_back("part '" + part.name + "': the stroke crosses itself, " + std::to_string(d->flat.outline.cut) +
+                           (d->flat.outline.cut == 1 ? " loop" : " loops") + " cut off");
     drawn_.push_back(d);
     update();
 }

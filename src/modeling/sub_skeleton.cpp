@@ -154,10 +154,10 @@ Cylinder cylinder_of(const std::vector<Point2d>& outline, const std::vector<Poin
 }
 
 // The thresholds that are tried are those of one ladder, options.threshold times powers of the factor, whatever threshold is asked
-// for: so that a larger one never keeps more joints.
+// for: so that a larger one never keeps more joints. Nothing wanted, or too little: one at which all slices are kept.
 double first_threshold(double wanted, const SubSkeletonOptions& options) {
     double threshold = options.threshold;
-    while (wanted > 0 && threshold > wanted) threshold *= options.threshold_factor;
+    while (threshold > wanted && threshold > options.least_threshold) threshold *= options.threshold_factor;
     double above = threshold / options.threshold_factor;
     for (int step = 1; above <= wanted && above < 10; ++step) {
         threshold = above;

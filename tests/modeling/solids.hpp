@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -97,19 +95,21 @@ inline Vec3 highest(const SolidMesh& mesh) {
 // it in opposite ways, and the triangles around every vertex are one fan.
 inline std::string surface_fault(const SolidMesh& mesh) {
     const auto count = static_cast<int>(mesh.vertices.size());
-    std::map<std::pair<int, int>, int> ways;
+    std::vector<std::pair<int, int>> ways;
     std::vector<std::vector<std::pair<int, int>>> around(mesh.vertices.size()); // edges opposite a vertex
     for (const auto& t : mesh.triangles) {
         if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return "a triangle has a corner twice";
         for (int k = 0; k < 3; ++k) {
             const int a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
             if (a < 0 || a >= count) return "a corner is no vertex";
-            if (++ways[{a, b}] > 1) return "two triangles run along an edge in the same way";
+            ways.emplace_back(a, b);
             around[a].emplace_back(b, c);
         }
     }
-    for (const auto& [way, times] : ways)
-        if (!ways.contains({way.second, way.first})) return "an edge has a triangle on one side only";
+    std::sort(ways.begin(), ways.end());
+    if (std::adjacent_find(ways.begin(), ways.end()) != ways.end()) return "two triangles run along an edge in the same way";
+    for (const auto& [a, b] : ways)
+        if (!std::binary_search(ways.begin(), ways.end(), std::pair(b, a))) return "an edge has a triangle on one side only";
     for (auto& fan : around) {
         if (fan.size() < 3) return "a vertex has fewer than three triangles";
         std::sort(fan.begin(), fan.end());
@@ -169,14 +169,16 @@ public:
     }
 
     int count() {
-        std::unordered_map<long long, std::vector<int>> cells;
-        for (int t = 0; t < std::ssize(mesh_.triangles); ++t)
-            for (const long long key : cells_of(t)) cells[key].push_back(t);
+        std::vector<std::pair<long long, int>> cells;
+        for (int t = 0; t < std::ssize(mesh_.triangles); ++t) {
+            boxes_.push_back({{low(t, &Vec3::x), low(t, &Vec3::y), low(t, &Vec3::z)}, {high(t, &Vec3::x), high(t, &Vec3::y), high(t, &Vec3::z)}});
+            for (const long long key : cells_of(t)) cells.emplace_back(key, t);
+        }
+        std::sort(cells.begin(), cells.end());
         std::vector<std::pair<int, int>> pairs;
-        for (const auto& [key, list] : cells)
-            for (std::size_t i = 0; i < list.size(); ++i)
-                for (std::size_t k = i + 1; k < list.size(); ++k)
-                    if (boxes_meet(list[i], list[k])) pairs.emplace_back(list[i], list[k]);
+        for (auto first = cells.begin(); first != cells.end(); ++first)
+            for (auto second = first + 1; second != cells.end() && second->first == first->first; ++second)
+                if (boxes_meet(first->second, second->second)) pairs.emplace_back(first->second, second->second);
         std::sort(pairs.begin(), pairs.end());
         pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
         return static_cast<int>(std::count_if(pairs.begin(), pairs.end(), [&](const auto& p) { return cut(p.first, p.second); }));
@@ -193,9 +195,9 @@ private:
         return std::max({at(a).*axis, at(b).*axis, at(c).*axis});
     }
     bool boxes_meet(int s, int t) const {
-        for (const auto axis : {&Vec3::x, &Vec3::y, &Vec3::z})
-            if (low(s, axis) > high(t, axis) || low(t, axis) > high(s, axis)) return false;
-        return true;
+        const auto& [a, b] = boxes_[s];
+        const auto& [c, d] = boxes_[t];
+        return a.x <= d.x && a.y <= d.y && a.z <= d.z && c.x <= b.x && c.y <= b.y && c.z <= b.z;
     }
     std::vector<long long> cells_of(int t) const {
         const auto cell = [&](double value) { return static_cast<long long>(std::floor(value / cell_)); };
@@ -219,14 +221,14 @@ private:
     }
     bool cut(int s, int t) const {
         const std::array<int, 3>&f = mesh_.triangles[s], &g = mesh_.triangles[t];
-        std::vector<int> shared;
+        int shared = -1, count = 0; // corner
         for (const int v : f)
-            if (std::find(g.begin(), g.end(), v) != g.end()) shared.push_back(v);
-        if (shared.size() >= 2) return folded(f, g);
+            if (std::find(g.begin(), g.end(), v) != g.end()) shared = v, ++count;
+        if (count >= 2) return folded(f, g);
         const auto edges_cut = [&](const std::array<int, 3>& edges, const std::array<int, 3>& face) {
             for (int k = 0; k < 3; ++k) {
                 const int a = edges[k], b = edges[(k + 1) % 3];
-                const bool touches = !shared.empty() && (a == shared[0] || b == shared[0]);
+                const bool touches = a == shared || b == shared;
                 if (!touches && pierces(at(a), at(b), face)) return true;
             }
             return false;
@@ -240,6 +242,7 @@ private:
     }
 
     const SolidMesh& mesh_;
+    std::vector<std::pair<Vec3, Vec3>> boxes_; // of the triangles
     double tiny_ = 0, cell_ = 1;
 };
 

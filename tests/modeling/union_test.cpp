@@ -208,33 +208,6 @@ TEST_CASE("random solids are united to closed surfaces that do not cut themselve
     }
 }
 
-TEST_CASE("the nine models are closed surfaces that do not cut themselves") {
-    for (const std::string& name : test::model_names) {
-        Model model(test::model_strokes(name));
-        const SolidMesh mesh = united(model.inflated(), 24);
-        CAPTURE(name);
-        CHECK(test::surface_fault(mesh) == "");
-        CHECK(test::volume_of(mesh) > 0);
-        CHECK(test::self_cuts(mesh) == 0);
-        double sum = 0;
-        for (int p = 0; p < std::ssize(model.parts()); ++p) sum += test::volume_of(model.surface(p));
-        CHECK(test::volume_of(mesh) < sum);
-        REQUIRE(mesh.parts.size() == mesh.vertices.size());
-        for (const int part : mesh.parts) REQUIRE((part >= 0 && part < std::ssize(model.parts())));
-    }
-}
-
-TEST_CASE("models with thin parts are one surface at the grid's own size") {
-    for (const char* name : {"bird", "deer", "crab"}) {
-        Model model(test::model_strokes(name));
-        const SolidMesh mesh = model.united();
-        CAPTURE(name);
-        CHECK(test::surface_fault(mesh) == "");
-        CHECK(test::components_of(mesh) == 1);
-        CHECK(test::self_cuts(mesh) == 0);
-    }
-}
-
 TEST_CASE("what no grid can hold is an input error") {
     const Inflation ball = inflate(test::disc({0, 0}, 1));
     CHECK(unite({}).triangles.empty());
