@@ -155,7 +155,7 @@ update-verify: $(BUILD)/pantin
 # The same on aarch64, emulated. Debian: crossbuild-essential-arm64 qemu-user-static.
 verify-arm64:
 	@$(MAKE) --no-print-directory CXX=aarch64-linux-gnu-g++ AR=aarch64-linux-gnu-ar BUILD=build/arm64 STATIC=1 \
-	    GLPK=0 WEBP=0 GIF=0 YAML=0 PUGIXML=0 build/arm64/pantin
+	    GLPK=0 WEBP=0 GIF=0 YAML=0 PUGIXML=0 CGAL=0 build/arm64/pantin
 	qemu-aarch64-static build/arm64/pantin verify
 
 # Reference vectors for other implementations (testdata/vectors/README.md) as an archive; the same bytes every time.

@@ -8,6 +8,7 @@
 #include "explain/chapters.hpp"
 #include "explain/palette.hpp"
 #include "explain/svg.hpp"
+#include "pantin/image.hpp"
 
 namespace pantin {
 
@@ -39,6 +40,27 @@ double most_residual(const std::vector<double>& residuals, double threshold) {
     for (const double r : residuals)
         if (std::isfinite(r)) most = std::max(most, r);
     return std::max(1.0, std::min(most, 6 * threshold));
+}
+
+// The cells: every pixel of the silhouette in the colour of the border pixel that is nearest to it.
+RgbaImage cells(const Skeletonization& s) {
+    Mask border(s.mask.width(), s.mask.height());
+    Grid<int> number(border.width(), border.height());
+    int count = 0;
+    for (const Border& b : s.contour)
+        for (const Point2i p : b.points) {
+            border(p.x, p.y) = 1;
+            number(p.x, p.y) = count++;
+        }
+    const Grid<int> owner = nearest_seed(border);
+    RgbaImage image(border.width(), border.height());
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        if (!s.mask.data()[i]) continue;
+        // Neighbours along the border are five colours apart.
+        const Rgb8 c = category(static_cast<std::size_t>(5 * number.data()[owner.data()[i]]));
+        image.data()[i] = {c.r, c.g, c.b, static_cast<std::uint8_t>(border.data()[i] ? 255 : 120)};
+    }
+    return image;
 }
 
 std::string shaded_edges(const Skeletonization& s, double most, double width) {
@@ -115,13 +137,15 @@ Values voronoi_chapter(const CharacterStory& story) {
     const double most = most_residual(s.residuals, threshold);
     Svg picture(s.mask.width(), s.mask.height(), "Edges of the Voronoi diagram inside the silhouette, coloured by their residual");
     picture.underlay(story.drawing(), 0.3).raw(shaded_edges(s, most, 0.9 * story.line()));
+    Svg lands(s.mask.width(), s.mask.height(), "Cells of the Voronoi diagram inside the silhouette, each in the colour of its border pixel");
+    lands.underlay(story.drawing(), 0.3).image(picture_uri(cells(s)), s.mask.width(), s.mask.height());
     const auto kept = std::count_if(s.residuals.begin(), s.residuals.end(), [&](double r) { return r >= threshold; });
     Json data;
     data["threshold"] = threshold;
     data["most"] = most;
     data["width"] = 0.9 * story.line();
     data["edges"] = edge_data(s, most);
-    return {{"picture", picture.str("voronoi")}, {"data", script_json(data)}, {"count", std::to_string(s.voronoi.size())}, {"kept", std::to_string(kept)},
+    return {{"picture", picture.str("voronoi")}, {"cells", lands.str("cells")}, {"data", script_json(data)}, {"count", std::to_string(s.voronoi.size())}, {"kept", std::to_string(kept)},
             {"threshold", decimal(threshold)}, {"most", decimal(most)}, {"residual", options.residual == Residual::chord ? "chord" : "arc"},
             {"slider", decimal(std::min(threshold, most))}};
 }
