@@ -1,6 +1,7 @@
 // docs/schemas: what the program writes and reads is as the schemas say, and they let nothing else through.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -145,6 +146,17 @@ TEST_CASE("Every JSON file of a model is as its schema says", "[docs][schemas]")
     CHECK(check_folder(animated_model()) == std::set<std::string>{"strokes", "model", "skeleton", "identification", "mapping"});
     for (const auto& entry : fs::directory_iterator("testdata/models"))
         if (entry.path().extension() == ".json") CHECK(schema_violation("strokes", Json::parse(read(entry.path()))) == "");
+}
+
+TEST_CASE("Every JSON file of the reference vectors is as its schema says, and damaged ones are not", "[docs][schemas]") {
+    const std::set<std::string> own = {"found", "probabilities", "mesh", "bones", "depths", "animations", "posed", "inflation", "solid"};
+    const std::set<std::string> met = check_folder("testdata/vectors");
+    CHECK(std::includes(met.begin(), met.end(), own.begin(), own.end()));
+    const fs::path vectors = "testdata/vectors/humanoid", character = vectors / "character-1";
+    for (const fs::path& file : {vectors / "found.json", character / "trace/probabilities.json", character / "trace/mesh.json",
+                                 character / "trace/bones.json", character / "trace/depths.json", character / "trace/animations.json",
+                                 character / "trace/posed.json", character / "model/inflation.json", character / "model/solid.json"})
+        CHECK(Damager(file.stem().string(), Json::parse(read(file)), {}).run() >= 5);
 }
 
 TEST_CASE("The compiled-in references are as their schema says", "[docs][schemas]") {
