@@ -37,7 +37,7 @@ void draw_weights(Sheet& sheet, int index, const Rig& rig, const std::string& li
     std::vector<std::pair<Point2d, Point2d>> bones;
     for (const Bone& bone : rig.bones)
         if (bone.name.substr(0, limb.size()) == limb) bones.push_back({bone.head, bone.tail});
-    panel.segments(bones, {.stroke = colour(accent), .width = 3, .cap = "round"});
+    panel.segments(bones, {.stroke = css(accent), .width = 3, .cap = "round"});
     for (const auto& [head, tail] : bones) sheet.svg().circle(panel.at(head), 4, filled(accent));
     panel.caption(caption);
 }

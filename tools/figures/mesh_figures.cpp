@@ -51,7 +51,7 @@ void draw_case(Sheet& sheet, int index, const std::function<bool(int, int)>& ins
             if (const Point2d a = corners[i], b = corners[(i + 1) % corners.size()]; !on_corner(a) && !on_corner(b)) new_edges.emplace_back(a, b);
     }
     const Point2d corner = panel.at(0, 0);
-    svg.rectangle({corner.x, corner.y, voxel * panel.scale(), voxel * panel.scale()}, {.stroke = colour(muted), .dash = "3 3"});
+    svg.rectangle({corner.x, corner.y, voxel * panel.scale(), voxel * panel.scale()}, {.stroke = css(muted), .dash = "3 3"});
     panel.segments(new_edges, stroked(accent, 3));
     for (const auto& [a, b] : new_edges)
         for (const Point2d p : {a, b}) svg.circle(panel.at(p), 4, filled(accent));

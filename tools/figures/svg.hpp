@@ -21,14 +21,11 @@ struct Style {
     std::string dash = ""; // "4 3"
     std::string cap = "";  // "round"
 };
-std::string colour(Rgb8 value); // "#rrggbb"
 Style filled(Rgb8 fill, double opacity = 1);
 Style stroked(Rgb8 stroke, double width = 1);
 Style outlined(Rgb8 fill, Rgb8 stroke, double width = 1);
 
-// At most `decimals` decimals, none that are zero: "3", "-0.25".
-std::string number(double value, int decimals = 2);
-// The same for readers: with a minus sign, and all decimals where `padded`.
+// A number for readers: with a minus sign, and without zeros at the end unless `padded`.
 std::string shown(double value, int decimals = 2, bool padded = false);
 
 enum class Anchor { start, middle, end };

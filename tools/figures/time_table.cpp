@@ -41,10 +41,10 @@ std::string row(const std::string& name, const Times& times) {
     std::string text = "| " + name + " |";
     double sum = 0;
     for (const double t : times) {
-        text += " " + number(t, t < 10 ? 1 : 0) + " |";
+        text += " " + shown(t, t < 10 ? 1 : 0) + " |";
         sum += t;
     }
-    return text + " " + number(sum, 0) + " |\n";
+    return text + " " + shown(sum, 0) + " |\n";
 }
 
 } // namespace
