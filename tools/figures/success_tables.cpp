@@ -61,7 +61,7 @@ void judge_skeleton(Judged& judged, const TruePage& truth, const SkeletonGraph& 
     }
 }
 
-Judged judge(const CharacterResult& result, const TruePage& truth, const fs::path& pages, const std::vector<ReferenceSkeleton>& references) {
+Judged judge(const CharacterResult& result, const TruePage& truth, const fs::path& pages, const std::vector<ReferenceSkeleton>& references, const Options& options) {
     Judged judged;
     judged.result = result;
     if (!result.found) return judged;
@@ -72,10 +72,9 @@ Judged judge(const CharacterResult& result, const TruePage& truth, const fs::pat
     if (!fs::exists(skeleton)) return judged;
     const SkeletonGraph graph = skeleton_from_json(read_text(skeleton), skeleton.string());
     judge_skeleton(judged, truth, graph, *character);
-    const fs::path raw = folder / "trace" / "skeleton-raw.json";
     judged.vertices = graph.vertices.size();
     judged.edges = graph.edges.size();
-    judged.raw_vertices = skeleton_from_json(read_text(raw), raw.string()).vertices.size();
+    judged.raw_vertices = skeletonize(load_grey(folder / "labels.png"), options.skeletonization).raw.vertices.size();
     if (fs::exists(identification)) judged.type = identification_from_json(read_text(identification), identification.string(), graph, references).type;
     return judged;
 }
@@ -83,14 +82,13 @@ Judged judge(const CharacterResult& result, const TruePage& truth, const fs::pat
 std::vector<Judged> judge_all(const fs::path& dataset, const fs::path& out, const std::string& preset) {
     Settings settings;
     settings.options = make_preset(preset);
-    settings.trace = true; // keeps the graph before the heuristics
     const Dataset drawings(dataset);
     const Evaluation evaluation = evaluate(drawings, out, settings);
     const std::vector<ReferenceSkeleton> references = load_references();
     std::vector<Judged> all;
     for (std::size_t i = 0; i < drawings.size(); ++i)
         for (const CharacterResult& result : evaluation.characters)
-            if (const TruePage truth = drawings.page(i); result.page == truth.id) all.push_back(judge(result, truth, out / "pages", references));
+            if (const TruePage truth = drawings.page(i); result.page == truth.id) all.push_back(judge(result, truth, out / "pages", references, settings.options));
     return all;
 }
 
@@ -187,7 +185,7 @@ std::string results_page(const fs::path& dataset, const fs::path& work, const st
            "Detection, segmentation, skeletonization and identification are computed from the generator's truth. Rigging is judged by eye, from frames of\n"
            "the first clip; these verdicts, with their dates, are in [verdicts.csv](verdicts.csv) (newest: " +
            verdicts.newest() +
-           "). Numbers beside the marks: overlap of the\nsilhouettes, mean overlap of the parts, parts with an end-effector.\n\n" + success_tables(dataset, work, verdicts);
+           "). Numbers beside the marks: overlap of the\nsilhouettes, mean overlap of the parts, parts with an end-effector (a wing that is folded on the body has no end of its own and\ncounts as missed). The thesis judged every step by eye.\n\n" + success_tables(dataset, work, verdicts);
 }
 
 } // namespace pantin::figures
