@@ -80,10 +80,10 @@ Figure animation_figure(Gallery& gallery) {
         const std::string clip = run.reference->clips.front().name;
         draw_model(sheet, sheet.place(0, row), run);
         Rectangle film = sheet.place(1, row);
-        Panel(sheet.svg(), sheet.place(0, row), 1, 1).caption("(a) model: " + std::to_string(run.rig.mesh.faces.size()) + " faces, " + std::to_string(run.rig.bones.size()) + " bones");
+        caption(sheet.svg(), sheet.place(0, row), "(a) model: " + std::to_string(run.rig.mesh.faces.size()) + " faces, " + std::to_string(run.rig.bones.size()) + " bones");
         film.width = 3 * 220 + 2 * margin;
         draw_film(sheet.svg(), film, run, clip, 3, 0.1);
-        Panel(sheet.svg(), film, 1, 1).caption("(b) " + run.identification.reference + ", clip “" + clip + "”: three of its poses");
+        caption(sheet.svg(), film, "(b) " + run.identification.reference + ", clip “" + clip + "”: three of its poses");
     }
     return {"fig-4.19-animation.svg", sheet.svg().document("Models of three drawings, and their animation")};
 }

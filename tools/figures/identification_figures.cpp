@@ -38,8 +38,8 @@ Figure references_figure(Gallery& gallery) {
     draw_skeleton(sheet, 3, run, "(d) a drawing's skeleton");
     draw_reference_panel(sheet, 4, gallery.reference("bird"), "(e) bird (ours)");
     draw_reference_panel(sheet, 5, gallery.reference("insect"), "(f) insect (ours)");
-    draw_skeleton(sheet, 6, gallery.run("humanoid.png"), "(g) another drawing's");
-    draw_skeleton(sheet, 7, gallery.run("flying.png"), "(h) another drawing's");
+    draw_skeleton(sheet, 6, gallery.run("humanoid.png"), "(g) a person's skeleton");
+    draw_skeleton(sheet, 7, gallery.run("flying.png"), "(h) a bird's skeleton");
     return {"fig-4.13-references.svg", sheet.svg().document("Reference skeletons with their shapes, and a drawing's skeleton")};
 }
 

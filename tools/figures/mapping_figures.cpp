@@ -140,7 +140,7 @@ Figure mapping_figure(Gallery& gallery) {
         const Run& run = gallery.run(files[i]);
         const Rectangle place{margin, margin + 292.0 * i, 616, 254};
         draw_mapping(svg, place, run, 5);
-        Panel(svg, place, 1, 1).caption(std::string("(") + "abc"[i] + ") " + run.identification.reference + ": reference left, drawing right");
+        caption(svg, place, std::string("(") + "abc"[i] + ") " + run.identification.reference + ": reference left, drawing right");
     }
     return {"fig-4.16-mapping.svg", svg.document("End-effectors of the reference mapped to those of a drawing")};
 }

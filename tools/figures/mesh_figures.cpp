@@ -123,7 +123,7 @@ void draw_posed(Svg& svg, Rectangle place, Run run, const std::vector<ReferenceS
     options.mesh.method = method;
     run.rig = rig(run.skeleton.graph, run.labels(), run.identification, references, options);
     draw_film(svg, place, run, run.reference->clips.front().name, 1, 0.08);
-    Panel(svg, place, 1, 1).caption(caption);
+    figures::caption(svg, place, caption);
 }
 
 Figure meshes_figure(Gallery& gallery) {

@@ -32,7 +32,7 @@ std::string path_of(const std::vector<std::vector<Point2d>>& lines, bool closed)
 
 } // namespace
 
-Style filled(Rgb8 fill, double opacity) { return {.fill = css(fill), .opacity = opacity}; }
+Style filled(Rgb8 fill) { return {.fill = css(fill)}; }
 Style stroked(Rgb8 stroke, double width) { return {.stroke = css(stroke), .width = width}; }
 Style outlined(Rgb8 fill, Rgb8 stroke, double width) { return {.fill = css(fill), .stroke = css(stroke), .width = width}; }
 
@@ -45,16 +45,13 @@ std::string shown(double value, int decimals, bool padded) {
 void Svg::shape(const std::string& element, const Style& style) {
     body_ += "<" + element + attribute("fill", style.fill);
     if (style.stroke != "none") body_ += attribute("stroke", style.stroke) + attribute("stroke-width", style.width);
-    if (style.opacity < 1) body_ += attribute("opacity", style.opacity);
     if (!style.dash.empty()) body_ += attribute("stroke-dasharray", style.dash);
     if (!style.cap.empty()) body_ += attribute("stroke-linecap", style.cap) + attribute("stroke-linejoin", style.cap);
     body_ += "/>\n";
 }
 
-void Svg::rectangle(Rectangle r, const Style& style, double corner) {
-    shape("rect" + attribute("x", r.x) + attribute("y", r.y) + attribute("width", r.width) + attribute("height", r.height) +
-              (corner > 0 ? attribute("rx", corner) : ""),
-          style);
+void Svg::rectangle(Rectangle r, const Style& style) {
+    shape("rect" + attribute("x", r.x) + attribute("y", r.y) + attribute("width", r.width) + attribute("height", r.height), style);
 }
 void Svg::circle(Point2d centre, double radius, const Style& style) {
     shape("circle" + attribute("cx", centre.x) + attribute("cy", centre.y) + attribute("r", radius), style);
@@ -81,7 +78,6 @@ void Svg::text(Point2d at, const std::string& text, const TextStyle& style) {
     body_ += "<text" + attribute("x", at.x) + attribute("y", at.y) + attribute("font-size", style.size);
     if (style.anchor != Anchor::start) body_ += attribute("text-anchor", std::string(anchors[static_cast<int>(style.anchor)]));
     if (style.bold) body_ += attribute("font-weight", std::string("bold"));
-    if (style.turn != 0) body_ += attribute("transform", "rotate(" + decimal(style.turn, 2) + " " + pair(at) + ")");
     body_ += attribute("fill", css(style.fill)) + ">" + escaped(text) + "</text>\n";
 }
 
