@@ -37,17 +37,17 @@ TEST_CASE("docs/figures is what make figures draws today, and its index lists ev
 }
 
 TEST_CASE("figures write numbers with few decimals and text that XML allows", "[figures]") {
-    CHECK(figures::number(3) == "3");
-    CHECK(figures::number(-0.254) == "-0.25");
-    CHECK(figures::number(0.5, 1) == "0.5");
-    CHECK(figures::number(-0.001) == "0");
+    CHECK(figures::shown(3) == "3");
+    CHECK(figures::shown(-0.254) == "−0.25");
     CHECK(figures::shown(-2.5, 2, true) == "−2.50");
     figures::Svg svg(10, 20);
+    svg.circle({1.0 / 3, -0.001}, 2, {});
     svg.text({1, 2}, "a < b & \"c\"");
     svg.image({0, 0, 1, 1}, {'M', 'a', 'n', '!'});
     const std::string document = svg.document("A & B");
     CHECK(document.find("a &lt; b &amp; &quot;c&quot;") != std::string::npos);
     CHECK(document.find("<title>A &amp; B</title>") != std::string::npos);
+    CHECK(document.find("cx=\"0.33\" cy=\"0\" r=\"2\"") != std::string::npos);
     CHECK(document.find("base64,TWFuIQ==\"") != std::string::npos);
     CHECK(document.find("fill=\"#ffffff\"") != std::string::npos); // readable in dark mode
 }

@@ -37,7 +37,7 @@ void draw_weights(Sheet& sheet, int index, const Rig& rig, const std::string& li
     std::vector<std::pair<Point2d, Point2d>> bones;
     for (const Bone& bone : rig.bones)
         if (bone.name.substr(0, limb.size()) == limb) bones.push_back({bone.head, bone.tail});
-    panel.segments(bones, {.stroke = colour(accent), .width = 3, .cap = "round"});
+    panel.segments(bones, {.stroke = css(accent), .width = 3, .cap = "round"});
     for (const auto& [head, tail] : bones) sheet.svg().circle(panel.at(head), 4, filled(accent));
     panel.caption(caption);
 }
@@ -80,10 +80,10 @@ Figure animation_figure(Gallery& gallery) {
         const std::string clip = run.reference->clips.front().name;
         draw_model(sheet, sheet.place(0, row), run);
         Rectangle film = sheet.place(1, row);
-        Panel(sheet.svg(), sheet.place(0, row), 1, 1).caption("(a) model: " + std::to_string(run.rig.mesh.faces.size()) + " faces, " + std::to_string(run.rig.bones.size()) + " bones");
+        caption(sheet.svg(), sheet.place(0, row), "(a) model: " + std::to_string(run.rig.mesh.faces.size()) + " faces, " + std::to_string(run.rig.bones.size()) + " bones");
         film.width = 3 * 220 + 2 * margin;
         draw_film(sheet.svg(), film, run, clip, 3, 0.1);
-        Panel(sheet.svg(), film, 1, 1).caption("(b) " + run.identification.reference + ", clip “" + clip + "”: three of its poses");
+        caption(sheet.svg(), film, "(b) " + run.identification.reference + ", clip “" + clip + "”: three of its poses");
     }
     return {"fig-4.19-animation.svg", sheet.svg().document("Models of three drawings, and their animation")};
 }

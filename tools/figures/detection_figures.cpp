@@ -11,7 +11,7 @@
 namespace pantin::figures {
 namespace {
 
-constexpr Rgb8 found_colours[] = {second, accent, third, part_colours[4], highlight, part_colours[5]};
+constexpr Rgb8 found_colours[] = {second, accent, third, fourth, highlight, {0, 150, 160}};
 
 // Each pixel where some character's claim is largest, in that character's colour.
 RgbImage claimed(const RgbImage& page, const Grid<int>& claims) {
@@ -118,7 +118,7 @@ Mask nested_mask() {
 
 void draw_borders(Panel& panel, const std::vector<Border>& borders, double width) {
     for (const Border& border : borders)
-        panel.svg().polyline(panel.at(border.points), stroked(border.outer ? Rgb8{0, 170, 60} : part_colour(Label::tail), width), true);
+        panel.svg().polyline(panel.at(border.points), stroked(border.outer ? Rgb8{0, 170, 60} : fourth, width), true);
 }
 
 Figure contour_figure(Gallery& gallery) {

@@ -38,8 +38,8 @@ Figure references_figure(Gallery& gallery) {
     draw_skeleton(sheet, 3, run, "(d) a drawing's skeleton");
     draw_reference_panel(sheet, 4, gallery.reference("bird"), "(e) bird (ours)");
     draw_reference_panel(sheet, 5, gallery.reference("insect"), "(f) insect (ours)");
-    draw_skeleton(sheet, 6, gallery.run("humanoid.png"), "(g) another drawing's");
-    draw_skeleton(sheet, 7, gallery.run("flying.png"), "(h) another drawing's");
+    draw_skeleton(sheet, 6, gallery.run("humanoid.png"), "(g) a person's skeleton");
+    draw_skeleton(sheet, 7, gallery.run("flying.png"), "(h) a bird's skeleton");
     return {"fig-4.13-references.svg", sheet.svg().document("Reference skeletons with their shapes, and a drawing's skeleton")};
 }
 
@@ -56,9 +56,9 @@ void draw_match(Svg& svg, Rectangle place, const Run& run, const ReferenceSkelet
         for (const auto& [u, v] : g.edges) lines.push_back({g.positions[u], g.positions[v]});
         panel.segments(lines, style);
     };
-    edges(b, {.stroke = colour(faint), .width = 3});
+    edges(b, {.stroke = css(faint), .width = 3});
     edges(a, stroked(ink, 1.4));
-    for (const auto& [u, v] : candidate.pairs) svg.line(panel.at(a.positions[u]), panel.at(b.positions[v]), {.stroke = colour(highlight), .width = 1.6, .dash = "3 2"});
+    for (const auto& [u, v] : candidate.pairs) svg.line(panel.at(a.positions[u]), panel.at(b.positions[v]), {.stroke = css(highlight), .width = 1.6, .dash = "3 2"});
     const auto vertices = [&](const LabelledGraph& g, bool end) {
         for (std::size_t i = 0; i < g.positions.size(); ++i) panel.vertex({g.positions[i].x, g.positions[i].y, g.labels[i], end}, 4);
     };

@@ -20,7 +20,7 @@ Point2d draw_matrix(Svg& svg, Point2d at, const Matrix& matrix, const std::vecto
     double most = 0;
     for (const auto& row : matrix) most = std::max(most, *std::max_element(row.begin(), row.end()));
     for (std::size_t j = 0; j < columns.size(); ++j)
-        svg.text({at.x + cell_width * (static_cast<double>(j) + 0.5), at.y - 7}, columns[j], {.size = 12, .fill = part_colour(Label::tail), .bold = true});
+        svg.text({at.x + cell_width * (static_cast<double>(j) + 0.5), at.y - 7}, columns[j], {.size = 12, .fill = fourth, .bold = true});
     for (std::size_t i = 0; i < matrix.size(); ++i) {
         const double y = at.y + cell_height * static_cast<double>(i);
         svg.text({at.x - 8, y + 17}, rows[i], {.size = 12, .anchor = Anchor::end, .fill = second, .bold = true});
@@ -62,7 +62,7 @@ void draw_numbered(Svg& svg, Rectangle place, const pantin::Figure& figure, cons
 // Both shapes beside each other, above the matrices.
 void draw_both(Svg& svg, const Run& run) {
     draw_numbered(svg, {margin, margin, 300, 190}, character_figure(run), run.rig.mapping.ends, "u", "", second, "end-effectors of the drawing, clockwise");
-    draw_numbered(svg, {margin + 340, margin, 260, 190}, reference_figure(run), run.rig.mapping.reference_ends, "u", "′", part_colour(Label::tail), "end-effectors of the reference, clockwise");
+    draw_numbered(svg, {margin + 340, margin, 260, 190}, reference_figure(run), run.rig.mapping.reference_ends, "u", "′", fourth, "end-effectors of the reference, clockwise");
 }
 
 // The names of the ends after the i-th, cyclically.
@@ -140,7 +140,7 @@ Figure mapping_figure(Gallery& gallery) {
         const Run& run = gallery.run(files[i]);
         const Rectangle place{margin, margin + 292.0 * i, 616, 254};
         draw_mapping(svg, place, run, 5);
-        Panel(svg, place, 1, 1).caption(std::string("(") + "abc"[i] + ") " + run.identification.reference + ": reference left, drawing right");
+        caption(svg, place, std::string("(") + "abc"[i] + ") " + run.identification.reference + ": reference left, drawing right");
     }
     return {"fig-4.16-mapping.svg", svg.document("End-effectors of the reference mapped to those of a drawing")};
 }

@@ -51,7 +51,7 @@ void draw_case(Sheet& sheet, int index, const std::function<bool(int, int)>& ins
             if (const Point2d a = corners[i], b = corners[(i + 1) % corners.size()]; !on_corner(a) && !on_corner(b)) new_edges.emplace_back(a, b);
     }
     const Point2d corner = panel.at(0, 0);
-    svg.rectangle({corner.x, corner.y, voxel * panel.scale(), voxel * panel.scale()}, {.stroke = colour(muted), .dash = "3 3"});
+    svg.rectangle({corner.x, corner.y, voxel * panel.scale(), voxel * panel.scale()}, {.stroke = css(muted), .dash = "3 3"});
     panel.segments(new_edges, stroked(accent, 3));
     for (const auto& [a, b] : new_edges)
         for (const Point2d p : {a, b}) svg.circle(panel.at(p), 4, filled(accent));
@@ -123,7 +123,7 @@ void draw_posed(Svg& svg, Rectangle place, Run run, const std::vector<ReferenceS
     options.mesh.method = method;
     run.rig = rig(run.skeleton.graph, run.labels(), run.identification, references, options);
     draw_film(svg, place, run, run.reference->clips.front().name, 1, 0.08);
-    Panel(svg, place, 1, 1).caption(caption);
+    figures::caption(svg, place, caption);
 }
 
 Figure meshes_figure(Gallery& gallery) {

@@ -62,7 +62,7 @@ void draw_step(Svg& svg, Point2d at, const Tensor& input, const Tensor& filter, 
         for (int column = 0; column < 3; ++column) {
             const float w = filter(0, 0, row, column), v = input(0, 0, y + row, x + column);
             if (w == 0) continue;
-            sum += (w < 0 ? " − " : sum.empty() ? "" : " + ") + (std::abs(w) == 1 ? "" : number(std::abs(w)) + "·") + number(v);
+            sum += (w < 0 ? " − " : sum.empty() ? "" : " + ") + (std::abs(w) == 1 ? "" : shown(std::abs(w)) + "·") + shown(v);
         }
     svg.text({at.x, at.y + cell * input.height() + 20}, sum + " = " + shown(output(0, 0, y, x)), {.anchor = Anchor::start});
 }
@@ -115,7 +115,7 @@ Figure convolution_figure(Gallery& gallery) {
 Figure pooling_figure() {
     const Tensor input = tensor_of(4, 4, {1, 3, 2, 1, 4, 6, 5, 0, 3, 1, 9, 8, 2, 0, 7, 4});
     const Tensor output = network::max_pool(input, 2, 2);
-    const Rgb8 colours[2][2] = {{second, accent}, {third, part_colour(Label::wing)}};
+    const Rgb8 colours[2][2] = {{second, accent}, {third, fourth}};
     std::vector<Window> in, out;
     for (int y = 0; y < 2; ++y)
         for (int x = 0; x < 2; ++x) {

@@ -1,10 +1,10 @@
-// The colours of all figures. Parts have those of the thesis (Fig. 4.13): head blue, body red, limb green, tail orange,
-// wing yellow.
+// The colours of all figures. Parts have those of `pantin explain`: head orange, body blue, limb green, tail purple, wing ochre.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
+#include "explain/palette.hpp"
 #include "pantin/grid.hpp"
 #include "pantin/label.hpp"
 
@@ -12,9 +12,9 @@ namespace pantin::figures {
 
 inline constexpr Rgb8 paper{255, 255, 255}, ink{32, 32, 36}, faint{196, 200, 208}, muted{110, 114, 122};
 inline constexpr Rgb8 silhouette_colour{52, 54, 60}; // black of the thesis, soft enough for lines on it
-inline constexpr Rgb8 accent{214, 40, 40}, second{30, 100, 210}, third{20, 140, 70}, highlight{226, 70, 190};
+inline constexpr Rgb8 accent{214, 40, 40}, second{30, 100, 210}, third{20, 140, 70}, fourth{214, 110, 0}, highlight{226, 70, 190};
 inline constexpr std::array<Rgb8, label_count> part_colours = {
-    {paper, {60, 100, 224}, {220, 60, 60}, {40, 160, 75}, {240, 130, 40}, {232, 186, 0}}}; // by label
+    {paper, part_palette[1], part_palette[2], part_palette[3], part_palette[4], part_palette[5]}}; // by label
 
 inline constexpr Rgb8 mixed(Rgb8 a, Rgb8 b, double share_of_b) {
     const auto mix = [share_of_b](int x, int y) { return static_cast<std::uint8_t>(x + (y - x) * share_of_b + 0.5); };

@@ -94,9 +94,7 @@ void Panel::mesh(const Mesh& mesh, const Style& style) {
     svg_.polygons(polygons, style);
 }
 
-void Panel::caption(const std::string& text) {
-    svg_.text({place_.x + place_.width / 2, place_.y + place_.height + 18}, text);
-}
+void caption(Svg& svg, Rectangle place, const std::string& text) { svg.text({place.x + place.width / 2, place.y + place.height + 18}, text); }
 
 Sheet::Sheet(int columns, int rows, double width, double height, double header)
     : columns_(columns), width_(width), height_(height), header_(header),

@@ -12,6 +12,9 @@ namespace pantin::figures {
 
 inline constexpr double caption_height = 26, margin = 12; // of a figure
 
+// Below a place in a figure: "(a) the mask".
+void caption(Svg& svg, Rectangle place, const std::string& text);
+
 class Panel {
 public:
     // `content` is scaled to fit the middle of `place`.
@@ -41,8 +44,7 @@ public:
     void vertex(const SkeletonVertex& vertex, double radius = 4.5);
     void mesh(const Mesh& mesh, const Style& style);
 
-    // Below the place: "(a) the mask".
-    void caption(const std::string& text);
+    void caption(const std::string& text) { figures::caption(svg_, place_, text); }
 
 private:
     Svg& svg_;

@@ -36,7 +36,7 @@ Figure paths_figure(Gallery& gallery) {
     for (const SkeletonEdge& edge : graph.edges) lines.push_back(panel.at(edge.pixels));
     svg.lines(lines, stroked(paper, 2));
     svg.polyline(panel.at(first), stroked(path_orange, 3.4));
-    svg.polyline(panel.at(second_path), {.stroke = colour(path_green), .width = 3.4, .dash = "9 5"});
+    svg.polyline(panel.at(second_path), {.stroke = css(path_green), .width = 3.4, .dash = "9 5"});
     for (const auto& [path, share] : {std::pair{&first, 0.5}, {&first, 0.12}, {&second_path, 0.09}}) {
         const Point2d p = resample(*path, 1001)[static_cast<std::size_t>(1000 * share)];
         const double radius = depth(static_cast<int>(p.x + 0.5), static_cast<int>(p.y + 0.5));
@@ -106,7 +106,7 @@ Figure path_distance_figure(Gallery& gallery) {
 
     Svg svg(900, 330);
     draw_path(svg, {margin, margin, 250, 130}, character_figure(run), from.end, to.end, second, "a path of the drawing, l = " + shown(ours.length, 1) + " mean radii");
-    draw_path(svg, {margin, margin + 164, 250, 115}, reference_figure(run), from.reference_end, to.reference_end, part_colour(Label::tail), "its counterpart, l′ = " + shown(theirs.length, 1));
+    draw_path(svg, {margin, margin + 164, 250, 115}, reference_figure(run), from.reference_end, to.reference_end, fourth, "its counterpart, l′ = " + shown(theirs.length, 1));
 
     std::vector<double> differences;
     double radii = 0;
@@ -126,11 +126,11 @@ Figure path_distance_figure(Gallery& gallery) {
     for (std::size_t i = 0; i < differences.size(); ++i) bars.push_back({{static_cast<double>(i), 0}, {static_cast<double>(i), -stretch * differences[i]}});
     plot.segments(bars, stroked(pale(accent), 6));
     draw_curve(plot, stretched(ours.radii), second);
-    draw_curve(plot, stretched(theirs.radii), part_colour(Label::tail));
+    draw_curve(plot, stretched(theirs.radii), fourth);
     const Rectangle f = plot.frame();
     svg.lines({{{f.x, f.y}, {f.x, plot.at(0, 0).y}, {f.x + f.width, plot.at(0, 0).y}}}, stroked(muted));
     svg.text({f.x + f.width / 2, plot.at(0, 0).y + 18}, "sample i = 0 … M − 1", {.size = 12, .fill = muted});
-    legend(svg, {f.x + 8, plot.at(0, 0).y + 40}, {{"r_i", second}, {"r′_i", part_colour(Label::tail)}, {"(r_i − r′_i)² / (r_i + r′_i)", pale(accent)}});
+    legend(svg, {f.x + 8, plot.at(0, 0).y + 40}, {{"r_i", second}, {"r′_i", fourth}, {"(r_i − r′_i)² / (r_i + r′_i)", pale(accent)}});
     const double alpha = MappingOptions{}.alpha, l = ours.length, m = theirs.length, lengths = alpha * (l - m) * (l - m) / (l + m);
     svg.text({f.x + 8, plot.at(0, 0).y + 64}, "pd = " + shown(radii, 2, true) + " (sum of the bars) + " + shown(lengths, 2, true) + " (α (l − l′)² / (l + l′), α = " + shown(alpha) + ") = " + shown(path_distance(ours, theirs, alpha), 2, true),
              {.anchor = Anchor::start});

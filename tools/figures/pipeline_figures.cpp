@@ -44,10 +44,9 @@ Figure overview_figure(Gallery& gallery) {
     skeleton.graph(run.skeleton.graph, stroked(ink, 2));
     skeleton.caption("(d) skeletonized");
     draw_mapping(svg, sheet[4], run, 4);
-    Panel(svg, sheet[4], 1, 1).caption("(e) identified: " + run.identification.reference + ", ends mapped");
-    Panel animated(svg, sheet[5], 3, 2);
+    caption(svg, sheet[4], "(e) identified: " + run.identification.reference + ", ends mapped");
     draw_film(svg, sheet[5], run, run.reference->clips.front().name, 1, 0.25);
-    animated.caption("(f) mesh, rigged and animated");
+    caption(svg, sheet[5], "(f) mesh, rigged and animated");
     return {"fig-4.1-pipeline.svg", svg.document("One drawing through all steps of the pipeline")};
 }
 

@@ -24,6 +24,7 @@ constexpr double near_end = 0.03;                            // of the figure's 
 struct Judged {
     CharacterResult result;
     int pieces = 0, reached = 0; // of the truth's heads, limbs, tails and wings: how many have an end-effector
+    std::size_t vertices = 0, edges = 0, raw_vertices = 0; // of the skeleton graph, and before the heuristics
     std::string type; // that was identified; "" when it did not get so far
 
     bool detected() const { return result.found && result.mask_overlap >= least_silhouette; }
@@ -60,8 +61,9 @@ void judge_skeleton(Judged& judged, const TruePage& truth, const SkeletonGraph& 
     }
 }
 
-Judged judge(const CharacterResult& result, const TruePage& truth, const fs::path& pages, const std::vector<ReferenceSkeleton>& references) {
-    Judged judged{result, 0, 0, ""};
+Judged judge(const CharacterResult& result, const TruePage& truth, const fs::path& pages, const std::vector<ReferenceSkeleton>& references, const Options& options) {
+    Judged judged;
+    judged.result = result;
     if (!result.found) return judged;
     const fs::path folder = pages / result.page / result.folder;
     const Page page = read_page(pages / result.page / "page.json");
@@ -70,6 +72,9 @@ Judged judge(const CharacterResult& result, const TruePage& truth, const fs::pat
     if (!fs::exists(skeleton)) return judged;
     const SkeletonGraph graph = skeleton_from_json(read_text(skeleton), skeleton.string());
     judge_skeleton(judged, truth, graph, *character);
+    judged.vertices = graph.vertices.size();
+    judged.edges = graph.edges.size();
+    judged.raw_vertices = skeletonize(load_grey(folder / "labels.png"), options.skeletonization).raw.vertices.size();
     if (fs::exists(identification)) judged.type = identification_from_json(read_text(identification), identification.string(), graph, references).type;
     return judged;
 }
@@ -83,7 +88,7 @@ std::vector<Judged> judge_all(const fs::path& dataset, const fs::path& out, cons
     std::vector<Judged> all;
     for (std::size_t i = 0; i < drawings.size(); ++i)
         for (const CharacterResult& result : evaluation.characters)
-            if (const TruePage truth = drawings.page(i); result.page == truth.id) all.push_back(judge(result, truth, out / "pages", references));
+            if (const TruePage truth = drawings.page(i); result.page == truth.id) all.push_back(judge(result, truth, out / "pages", references, settings.options));
     return all;
 }
 
@@ -111,6 +116,23 @@ std::string summary(const std::vector<Judged>& ours, const std::vector<Judged>& 
     };
     text += "| rigging | the clip looks right (by eye) | " + count(ours, seen) + " | not judged | 20 |\n";
     return text;
+}
+
+// What chapter 5 says about the sizes of its graphs.
+std::string graph_row(const std::string& name, const std::vector<Judged>& all) {
+    double vertices = 0, edges = 0, removed = 0, skeletons = 0;
+    std::size_t least = 1000, most = 0;
+    for (const Judged& j : all) {
+        if (j.vertices == 0) continue;
+        ++skeletons;
+        vertices += static_cast<double>(j.vertices);
+        edges += static_cast<double>(j.edges);
+        removed += static_cast<double>(j.raw_vertices) - static_cast<double>(j.vertices);
+        least = std::min(least, j.vertices);
+        most = std::max(most, j.vertices);
+    }
+    return "| " + name + " | " + shown(vertices / skeletons, 1) + " (" + std::to_string(least) + " to " + std::to_string(most) + ") | " + shown(edges / skeletons, 1) + " | " +
+           shown(removed / skeletons, 1) + " |\n";
 }
 
 std::string drawing_table(const std::vector<Judged>& all, const std::string& type, const Verdicts& verdicts) {
@@ -144,7 +166,9 @@ std::string testdata_table(const Verdicts& verdicts) {
 
 std::string success_tables(const fs::path& dataset, const fs::path& work, const Verdicts& verdicts) {
     const std::vector<Judged> ours = judge_all(dataset, work / "default", "default"), thesis = judge_all(dataset, work / "thesis", "thesis");
-    std::string text = summary(ours, thesis, verdicts) + "\n### Humanoids\n\n" + drawing_table(ours, "humanoid", verdicts) + "### Quadrupeds\n\n" +
+    const std::string graphs = "\nSizes of the skeleton graphs, means over the drawings:\n\n| | vertices (range) | edges | vertices removed by H1 and H2 |\n|---|---|---|---|\n" +
+                               graph_row("`default`", ours) + graph_row("`thesis`", thesis) + "| the thesis, chapter 5 | 11 (7 to 15) | 12 | 3 |\n";
+    std::string text = summary(ours, thesis, verdicts) + graphs + "\n### Humanoids\n\n" + drawing_table(ours, "humanoid", verdicts) + "### Quadrupeds\n\n" +
                        drawing_table(ours, "quadruped", verdicts) + "### Flyers\n\n" + drawing_table(ours, "flying", verdicts);
     return text + "### The drawings of testdata, by eye\n\nThe characters of a page are numbered as in its `page.json`.\n\n" + testdata_table(verdicts);
 }
@@ -161,7 +185,7 @@ std::string results_page(const fs::path& dataset, const fs::path& work, const st
            "Detection, segmentation, skeletonization and identification are computed from the generator's truth. Rigging is judged by eye, from frames of\n"
            "the first clip; these verdicts, with their dates, are in [verdicts.csv](verdicts.csv) (newest: " +
            verdicts.newest() +
-           "). Numbers beside the marks: overlap of the\nsilhouettes, mean overlap of the parts, parts with an end-effector.\n\n" + success_tables(dataset, work, verdicts);
+           "). Numbers beside the marks: overlap of the\nsilhouettes, mean overlap of the parts, parts with an end-effector (a wing that is folded on the body has no end of its own and\ncounts as missed). The thesis judged every step by eye.\n\n" + success_tables(dataset, work, verdicts);
 }
 
 } // namespace pantin::figures

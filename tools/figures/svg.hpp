@@ -17,18 +17,14 @@ struct Rectangle {
 struct Style {
     std::string fill = "none", stroke = "none";
     double width = 1;     // of the stroke
-    double opacity = 1;   // of both
     std::string dash = ""; // "4 3"
     std::string cap = "";  // "round"
 };
-std::string colour(Rgb8 value); // "#rrggbb"
-Style filled(Rgb8 fill, double opacity = 1);
+Style filled(Rgb8 fill);
 Style stroked(Rgb8 stroke, double width = 1);
 Style outlined(Rgb8 fill, Rgb8 stroke, double width = 1);
 
-// At most `decimals` decimals, none that are zero: "3", "-0.25".
-std::string number(double value, int decimals = 2);
-// The same for readers: with a minus sign, and all decimals where `padded`.
+// A number for readers: with a minus sign, and without zeros at the end unless `padded`.
 std::string shown(double value, int decimals = 2, bool padded = false);
 
 enum class Anchor { start, middle, end };
@@ -37,7 +33,6 @@ struct TextStyle {
     Anchor anchor = Anchor::middle;
     Rgb8 fill{32, 32, 36};
     bool bold = false;
-    double turn = 0; // degrees, clockwise
 };
 
 class Svg {
@@ -46,7 +41,7 @@ public:
     double width() const { return width_; }
     double height() const { return height_; }
 
-    void rectangle(Rectangle r, const Style& style, double corner = 0);
+    void rectangle(Rectangle r, const Style& style);
     void circle(Point2d centre, double radius, const Style& style);
     void line(Point2d from, Point2d to, const Style& style);
     // With an arrow head at `to`.

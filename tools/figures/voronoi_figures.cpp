@@ -127,7 +127,7 @@ void draw_residual(Panel& panel, const Skeletonization& s, std::size_t e) {
     const std::vector<Point2i> arc = arc_between(s.contour.front().points, a, b);
     panel.pixels(arc, pale(accent));
     svg.polyline(panel.at(arc), stroked(accent, 2.2));
-    svg.line(panel.at(to_double(a)), panel.at(to_double(b)), {.stroke = colour(second), .width = 1.8, .dash = "5 4"});
+    svg.line(panel.at(to_double(a)), panel.at(to_double(b)), {.stroke = css(second), .width = 1.8, .dash = "5 4"});
     const Point2d m = 0.5 * (edge.from + edge.to);
     for (const Point2i site : {a, b}) svg.line(panel.at(m), panel.at(to_double(site)), stroked(third, 1.4));
     for (const Point2i site : {a, b}) svg.circle(panel.at(to_double(site)), 4.5, filled(accent));
@@ -150,7 +150,7 @@ void draw_residual(Panel& panel, const Skeletonization& s, std::size_t e) {
     line(4, "chord residual (default): " + shown(arc_length, 1) + " − " + shown(chord, 1) + " = " + shown(s.residuals[e], 1), ink);
     line(6, "Edges whose residual is below the", muted);
     line(7, "threshold are pruned: 30 at 321 px,", muted);
-    line(8, number(30.0 * std::max(s.mask.width(), s.mask.height()) / 321, 1) + " for this drawing of " + std::to_string(std::max(s.mask.width(), s.mask.height())) + " px.", muted);
+    line(8, shown(30.0 * std::max(s.mask.width(), s.mask.height()) / 321, 1) + " for this drawing of " + std::to_string(std::max(s.mask.width(), s.mask.height())) + " px.", muted);
 }
 
 Figure residual_figure(Gallery& gallery) {
