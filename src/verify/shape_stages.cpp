@@ -70,10 +70,16 @@ Files voronoi(const StageContext& c) {
     return {{trace_path + "voronoi.json", voronoi_to_json(s.voronoi, s.residuals)}, {trace_path + "voronoi.png", png(to_grey(s.voronoi_raster))}};
 }
 
-Files thin(const StageContext& c) { return {{trace_path + "thinned.png", png(to_grey(zhang_suen(c.mask(trace_path + "voronoi.png"))))}}; }
+// The ridges are nearly thin already; the whole silhouette meets every neighbourhood.
+Files thin(const StageContext& c) {
+    const auto thinned = [&](const char* file) { return png(to_grey(zhang_suen(c.mask(trace_path + file)))); };
+    return {{trace_path + "thinned.png", thinned("voronoi.png")}, {trace_path + "thinned-silhouette.png", thinned("silhouette.png")}};
+}
 
 Files reduce(const StageContext& c) {
-    return {{character_path + "skeleton.png", png(to_grey(remove_redundant_pixels(c.mask(trace_path + "thinned.png"))))}};
+    const auto reduced = [&](const char* file) { return png(to_grey(remove_redundant_pixels(c.mask(trace_path + file)))); };
+    return {{character_path + "skeleton.png", reduced("thinned.png")},
+            {trace_path + "reduced-silhouette.png", reduced("thinned-silhouette.png")}};
 }
 
 Files graph(const StageContext& c) {
@@ -110,8 +116,10 @@ std::vector<Stage> shape_stages() {
          {trace_path + "probabilities.json", character_path + "segmentation.json", labels}, segment},
         {"contour", {labels}, {trace_path + "silhouette.png", character_path + "contour.json"}, contour},
         {"voronoi", {labels}, {trace_path + "voronoi.json", trace_path + "voronoi.png"}, voronoi},
-        {"thin", {trace_path + "voronoi.png"}, {trace_path + "thinned.png"}, thin},
-        {"reduce", {trace_path + "thinned.png"}, {character_path + "skeleton.png"}, reduce},
+        {"thin", {trace_path + "voronoi.png", trace_path + "silhouette.png"},
+         {trace_path + "thinned.png", trace_path + "thinned-silhouette.png"}, thin},
+        {"reduce", {trace_path + "thinned.png", trace_path + "thinned-silhouette.png"},
+         {character_path + "skeleton.png", trace_path + "reduced-silhouette.png"}, reduce},
         {"graph", {character_path + "skeleton.png", labels}, {trace_path + "skeleton-raw.json"}, graph},
         {"h1", {trace_path + "skeleton-raw.json"}, {trace_path + "skeleton-h1.json"}, h1},
         {"h2", {trace_path + "skeleton-h1.json", labels}, {character_path + "skeleton.json"}, h2},
