@@ -1,4 +1,4 @@
-// The colours of all figures. Parts have those of `pantin explain`: head orange, body blue, limb green, tail purple, wing ochre.
+// The colours of all figures. Parts have those of `pantin explain`, which are the thesis's (Fig. 4.13).
 #pragma once
 
 #include <array>
