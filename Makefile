@@ -187,12 +187,22 @@ $(BUILD)/doodle: $(BUILD)/tools/doodle/main.o $(DOODLE_OBJECTS) $(BUILD)/libpant
 $(BUILD)/pantin-tests: $(TEST_OBJECTS) $(DOODLE_OBJECTS) $(FIGURE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/libpantin.a
 	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS) $(CGAL_LDLIBS)
 $(BUILD)/tests/%.o: CPPFLAGS += -Itests
-# Tests take longer to compile than to run; instrumented assertions and option parsers most of all.
-$(BUILD)/tests/%.o: CXXFLAGS += -O$(if $(filter release,$(config)),1,0)
+# Tests take longer to compile than to run, but for those that compute what they check; so does what calls the steps and reads
+# and writes files, once it is instrumented. Where films and networks spend their time the sanitizers pay off optimised.
+computing_tests = geometry identification modeling network skeletonization
+glue = cli/% evaluation/% pipeline/% modeling/strokes_% modeling/svg_path
+hot = animation/rasteriser network/kernel_%
+objects = $(patsubst %,$(BUILD)/src/%.o,$(1))
+$(BUILD)/tests/%.o: CXXFLAGS += -O0
+ifeq ($(config),release)
+$(foreach room,$(computing_tests),$(BUILD)/tests/$(room)/%.o): CXXFLAGS += -O1
+endif
 # CGAL's interval arithmetic changes the rounding mode; g++ 12 reports false maybe-uninitialized reads in its headers.
 $(BUILD)/src/modeling/cgal/%.o: CXXFLAGS += -O1 -frounding-math -Wno-unknown-warning-option -Wno-maybe-uninitialized
 ifeq ($(config),sanitize)
-$(BUILD)/src/cli/%.o: CXXFLAGS += -O0
+$(call objects,$(glue)): CXXFLAGS += -O0
+$(call objects,$(hot)): CXXFLAGS += -O2
+$(BUILD)/tests/main.o: CXXFLAGS += -fno-sanitize=all # Catch2 alone
 endif
 $(BUILD)/bench: $(BENCH_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
 	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)

@@ -52,17 +52,24 @@ std::string quoted(const std::string& text) {
     return out + "'";
 }
 
+// One line for each option; `where`: the condition under which it is offered.
+std::string fish_options(const CLI::App& command, const std::string& where) {
+    std::string text;
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->get_positional()) continue;
+        text += "complete -c pantin -n " + where;
+        for (const std::string& name : option->get_snames()) text += " -s " + name;
+        for (const std::string& name : option->get_lnames()) text += " -l " + name;
+        text += std::string(option->get_expected_max() > 0 ? " -r" : "") + " -d " + quoted(option->get_description()) + "\n";
+    }
+    return text;
+}
+
 std::string fish(const CLI::App& app) {
-    std::string text = "# fish completion for pantin\n";
+    std::string text = "# fish completion for pantin\n" + fish_options(app, "__fish_use_subcommand");
     for (const CLI::App* sub : app.get_subcommands(nullptr)) {
         text += "complete -c pantin -n __fish_use_subcommand -f -a " + sub->get_name() + " -d " + quoted(sub->get_description()) + "\n";
-        for (const CLI::Option* option : sub->get_options()) {
-            if (option->get_positional()) continue;
-            text += "complete -c pantin -n '__fish_seen_subcommand_from " + sub->get_name() + "'";
-            for (const std::string& name : option->get_snames()) text += " -s " + name;
-            for (const std::string& name : option->get_lnames()) text += " -l " + name;
-            text += std::string(option->get_expected_max() > 0 ? " -r" : "") + " -d " + quoted(option->get_description()) + "\n";
-        }
+        text += fish_options(*sub, "'__fish_seen_subcommand_from " + sub->get_name() + "'");
     }
     return text;
 }

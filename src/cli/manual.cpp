@@ -1,4 +1,5 @@
 // pantin manual -o DIR: man pages from what --help knows, so that both always say the same.
+#include <algorithm>
 #include <memory>
 
 #include "cli/command.hpp"
@@ -33,6 +34,20 @@ std::string heading(const CLI::Option& option) {
     return names;
 }
 
+// What --help prints beside the name: range or choices, default, environment.
+std::string facts(const CLI::Option& option) {
+    const std::string type = option.get_type_name();
+    const std::size_t colon = type.find(':');
+    std::vector<std::string> all;
+    if (colon != std::string::npos) all.push_back(type.substr(colon + 1));
+    if (!option.get_default_str().empty()) all.push_back("default: " + option.get_default_str());
+    if (!option.get_envname().empty()) all.push_back("environment: " + option.get_envname());
+    if (option.get_required() && !option.get_positional()) all.push_back("required");
+    std::string text;
+    for (const std::string& fact : all) text += (text.empty() ? " [" : "; ") + fact;
+    return escaped(text.empty() ? "" : text + "]");
+}
+
 std::string synopsis(const CLI::App& command, const std::string& name) {
     std::string line = "\\fB" + escaped(name) + "\\fR";
     if (!command.get_subcommands(nullptr).empty()) return line + " \\fICOMMAND\\fR [\\fIOPTION\\fR]...";
@@ -44,10 +59,10 @@ std::string synopsis(const CLI::App& command, const std::string& name) {
 
 std::string page(const CLI::App& app, const CLI::App& command, bool whole) {
     const std::string name = whole ? app.get_name() : app.get_name() + " " + command.get_name();
-    std::string dashed = name;
-    for (char& c : dashed)
-        if (c == ' ') c = '-';
-    std::string text = ".TH \"" + escaped(dashed) + "\" 1 \"\" \"pantin " PANTIN_VERSION "\" \"Pantin\"\n.SH NAME\n" + escaped(dashed) + " \\- " +
+    std::string dashed = name, title;
+    std::replace(dashed.begin(), dashed.end(), ' ', '-');
+    for (const char c : dashed) title += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    std::string text = ".TH \"" + escaped(title) + "\" 1 \"\" \"pantin " PANTIN_VERSION "\" \"Pantin\"\n.SH NAME\n" + escaped(dashed) + " \\- " +
                        escaped(command.get_description()) + "\n.SH SYNOPSIS\n" + synopsis(command, name) + "\n";
     if (whole) {
         text += ".SH COMMANDS\n";
@@ -56,7 +71,7 @@ std::string page(const CLI::App& app, const CLI::App& command, bool whole) {
     }
     text += ".SH OPTIONS\n";
     for (const CLI::Option* option : command.get_options())
-        text += ".TP\n" + heading(*option) + "\n" + escaped(option->get_description()) + "\n";
+        text += ".TP\n" + heading(*option) + "\n" + escaped(option->get_description()) + facts(*option) + "\n";
     text += ".SH EXIT STATUS\n.nf\n" + escaped(app.get_footer()) + "\n.fi\n";
     if (!whole) text += ".SH SEE ALSO\n\\fBpantin\\fR(1)\n";
     return text;

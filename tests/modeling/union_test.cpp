@@ -8,6 +8,7 @@
 #include "core/math.hpp"
 #include "core/random.hpp"
 #include "modeling/solids.hpp"
+#include "modeling/surface_distance.hpp"
 #include "pantin/error.hpp"
 #include "pantin/model.hpp"
 
@@ -173,16 +174,9 @@ TEST_CASE("the united surface of one part lies on that part's own") {
         CHECK(test::surface_fault(mesh) == "");
         const Vec3 size = test::highest(exact) - test::lowest(exact);
         const double cell = std::max(size.x, size.y) / 30;
-        double farthest = 0;
-        for (const Vec3& v : mesh.vertices) {
-            double nearest = 1e300;
-            for (const auto& [a, b, c] : exact.triangles) {
-                const Vec3 middle = (1.0 / 3) * (exact.vertices[a] + exact.vertices[b] + exact.vertices[c]);
-                nearest = std::min({nearest, distance(v, middle), distance(v, exact.vertices[a])});
-            }
-            farthest = std::max(farthest, nearest);
-        }
-        CHECK(farthest < 1.5 * cell); // triangles of the part are about a cell wide
+        const test::SurfaceDistance apart = test::surface_distance(mesh, exact);
+        CHECK(apart.largest < 0.5 * cell);
+        CHECK(apart.mean < 0.1 * cell);
         CHECK(test::volume_of(mesh) == Approx(test::volume_of(exact)).epsilon(0.02));
     }
 }
