@@ -1,9 +1,11 @@
 #!/bin/sh
 # Does `pantin verify` see a change? In a copy of the sources one constant at a time is changed, the program is built, and verify must
-# fail and name the stage. Usage: tools/check_verify.sh (after `make`); the table is in docs/determinism.md.
+# fail and name the stage. Usage, after `make`: tools/check_verify.sh [STAGE...] (all
+# unless named); docs/determinism.md has the result.
 set -eu
 cd "$(dirname "$0")/.."
 work=build/changed
+only=" $* "
 rm -rf "$work"
 mkdir -p "$work/build"
 cp -a Makefile src include tools testdata weights references "$work"
@@ -14,6 +16,7 @@ status=0
 # changed STAGE FILE FROM TO: the first FROM of FILE becomes TO
 changed() {
     stage=$1 file=$2 from=$3 to=$4
+    case $only in "  " | *" $stage "*) ;; *) return ;; esac
     cp -p "$file" "$file.before"
     awk -v from="$from" -v to="$to" '!done && (at = index($0, from)) { $0 = substr($0, 1, at - 1) to substr($0, at + length(from)); done = 1 } { print }' \
         "$file.before" >"$file"
@@ -41,7 +44,7 @@ changed segment src/segmentation/views.cpp 'ink_level = 0.25f' 'ink_level = 0.3f
 changed contour src/geometry/borders.cpp '{p.x - 1, p.y - 1}' '{p.x - 2, p.y - 1}'
 changed voronoi src/skeletonization/voronoi_skeleton.cpp 'std::sqrt(2.0)' '1.5'
 changed thin src/skeletonization/thinning.cpp 'b <= 6' 'b <= 5'
-changed reduce src/skeletonization/thinning.cpp 'connectivity_number(n) != 1' 'connectivity_number(n) != 2'
+changed reduce src/skeletonization/neighbourhood.hpp 'neighbour_count(neighbourhood) == 2' 'neighbour_count(neighbourhood) == 3'
 changed graph src/skeletonization/graph.cpp 'std::sqrt(2.0)' '1.5'
 changed h1 src/skeletonization/heuristics.cpp 'degree[edge.v] != 1' 'degree[edge.v] != 3'
 changed h2 src/skeletonization/heuristics.cpp 'graph.vertices[j].x) / 2' 'graph.vertices[j].x) / 3'
