@@ -1,5 +1,5 @@
 // This work is based on:
-// Philipp Korpitsch, Semantic-aware animation of hand-drawn characters, 2023, section 4.6, Fig. 4.17;
+// Thorsten Korpitsch, Semantic-aware animation of hand-drawn characters, 2023, section 4.6, Fig. 4.17;
 // Carsten Maple, Geometric design and space planning using the marching squares and marching cube algorithms,
 // 2003. Departures (ERRATA 21): positions on voxel edges interpolate the signed exact Euclidean distance,
 // unless the midpoint is asked for; the silhouette may be grown first; the cell shrinks until no limb splits
