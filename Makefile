@@ -12,6 +12,7 @@ DESTDIR ?=
 INSTALL ?= install
 AR ?= ar
 VERSION := 0.1.0
+DATE := 2026-11-28# of the man pages
 
 ifeq ($(V),1)
   run =
@@ -197,6 +198,7 @@ $(BUILD)/tests/%.o: CXXFLAGS += -O0
 ifeq ($(config),release)
 $(foreach room,$(computing_tests),$(BUILD)/tests/$(room)/%.o): CXXFLAGS += -O1
 endif
+$(BUILD)/src/cli/manual.o: CPPFLAGS += -DPANTIN_DATE='"$(DATE)"'
 # CGAL's interval arithmetic changes the rounding mode; g++ 12 reports false maybe-uninitialized reads in its headers.
 $(BUILD)/src/modeling/cgal/%.o: CXXFLAGS += -O1 -frounding-math -Wno-unknown-warning-option -Wno-maybe-uninitialized
 ifeq ($(config),sanitize)

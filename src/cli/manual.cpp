@@ -62,7 +62,7 @@ std::string page(const CLI::App& app, const CLI::App& command, bool whole) {
     std::string dashed = name, title;
     std::replace(dashed.begin(), dashed.end(), ' ', '-');
     for (const char c : dashed) title += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-    std::string text = ".TH \"" + escaped(title) + "\" 1 \"\" \"pantin " PANTIN_VERSION "\" \"Pantin\"\n.SH NAME\n" + escaped(dashed) + " \\- " +
+    std::string text = ".TH \"" + escaped(title) + "\" 1 \"" PANTIN_DATE "\" \"pantin " PANTIN_VERSION "\" \"Pantin\"\n.SH NAME\n" + escaped(dashed) + " \\- " +
                        escaped(command.get_description()) + "\n.SH SYNOPSIS\n" + synopsis(command, name) + "\n";
     if (whole) {
         text += ".SH COMMANDS\n";
