@@ -155,7 +155,7 @@ update-verify: $(BUILD)/pantin
 	@$(MAKE) --no-print-directory verify
 # The same on aarch64, emulated. Debian: crossbuild-essential-arm64 qemu-user-static.
 verify-arm64:
-	@$(MAKE) --no-print-directory CXX=aarch64-linux-gnu-g++ AR=aarch64-linux-gnu-ar BUILD=build/arm64 STATIC=1 \
+	@$(MAKE) $(jobs) --no-print-directory CXX=aarch64-linux-gnu-g++ AR=aarch64-linux-gnu-ar BUILD=build/arm64 STATIC=1 \
 	    GLPK=0 WEBP=0 GIF=0 YAML=0 PUGIXML=0 CGAL=0 build/arm64/pantin
 	qemu-aarch64-static build/arm64/pantin verify
 
