@@ -68,6 +68,7 @@ struct Skeletonization {
     std::vector<Border> contour;
     std::vector<VoronoiEdge> voronoi;   // all edges inside the mask
     std::vector<double> residuals;      // per Voronoi edge
+    double threshold = 0;               // of residuals, in pixels of the mask; as asked for, or lowered (options.lower_threshold)
     Mask voronoi_raster;                // edges over the threshold (or the other method's ridges), homotopic to the mask
     Mask thinned;                       // after Zhang–Suen
     Grid<std::uint16_t> thinned_in;     // the sub-iteration, 1, 2, …, that took a pixel of `voronoi_raster` away; 0: none did

@@ -133,7 +133,7 @@ Values contour_chapter(const CharacterStory& story) {
 Values voronoi_chapter(const CharacterStory& story) {
     const Skeletonization& s = skeletonization(story);
     const SkeletonizationOptions& options = options_of(story);
-    const double threshold = options.residual_threshold * std::max(s.mask.width(), s.mask.height()) / 321;
+    const double threshold = s.threshold;
     const double most = most_residual(s.residuals, threshold);
     Svg picture(s.mask.width(), s.mask.height(), "Edges of the Voronoi diagram inside the silhouette, coloured by their residual");
     picture.underlay(story.drawing(), 0.3).raw(shaded_edges(s, most, 0.9 * story.line()));

@@ -67,6 +67,7 @@ Mask ridges_of(const Skeletonization& s, const BorderSites& sites, double thresh
 // From the ridges to the labelled graph.
 void find_graph(Skeletonization& s, const BorderSites& sites, const LabelMap& parts, double threshold,
                 const SkeletonizationOptions& options, double scale) {
+    s.threshold = threshold;
     Mask ridges = ridges_of(s, sites, threshold, options.method);
     if (options.recover_parts_share > 0)
         ridges = anchor_missing_parts(ridges, s.mask, parts, options.recover_parts_share);

@@ -267,6 +267,7 @@ TEST_CASE("a round shape with a small head gets a lower threshold instead of a s
     options.recover_parts_share = 0;
     const Skeletonization found = skeletonize(duck, options);
     REQUIRE(found.graph.edges.size() == 1);
+    CHECK(found.threshold < options.residual_threshold * std::max(duck.width(), duck.height()) / 321);
     CHECK(std::any_of(found.graph.vertices.begin(), found.graph.vertices.end(),
                       [](const SkeletonVertex& v) { return v.end && v.label == Label::head; }));
     options.lower_threshold = false;
