@@ -20,13 +20,6 @@ constexpr double reference_side = 321; // of the picture in which a reference is
 
 std::string letter(std::size_t i) { return i < 26 ? std::string(1, static_cast<char>('A' + i)) : "Z" + std::to_string(i - 25); }
 
-bool is_mirrored(const CharacterStory& story) {
-    const Identification& identification = identification_of(story.character, story.workshop);
-    const auto chosen = std::find_if(identification.candidates.begin(), identification.candidates.end(),
-                                     [&](const Candidate& c) { return c.reference == identification.reference; });
-    return chosen != identification.candidates.end() && chosen->mirrored;
-}
-
 double rounded(double value, double unit) { return std::rint(value * unit) / unit; }
 
 // Every path between two ends as it runs over the picture, in the mapping's order.
@@ -181,7 +174,7 @@ Values paths_chapter(const CharacterStory& story) {
     const Mapping& mapping = story.character.rig->mapping;
     const ReferenceSkeleton& reference = reference_of(story.character, story.workshop);
     const SkeletonGraph& graph = skeleton_of(story.character);
-    const Figure drawn = draw_reference(reference, is_mirrored(story));
+    const Figure drawn = draw_reference(reference, is_mirrored(identification_of(story.character, story.workshop)));
     if (mapping.comparisons.empty() || mapping.ends.size() < 2 || mapping.reference_ends.size() < 2)
         return {{"content", "<p>There is but one end, so there is no path to compare.</p>"}, {"data", "null"}};
     const Chosen at = first_pair(mapping);

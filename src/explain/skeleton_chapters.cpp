@@ -143,7 +143,6 @@ Values voronoi_chapter(const CharacterStory& story) {
     Json data;
     data["threshold"] = threshold;
     data["most"] = most;
-    data["width"] = 0.9 * story.line();
     data["edges"] = edge_data(s, most);
     return {{"picture", picture.str("voronoi")}, {"cells", lands.str("cells")}, {"data", script_json(data)}, {"count", std::to_string(s.voronoi.size())}, {"kept", std::to_string(kept)},
             {"threshold", decimal(threshold)}, {"most", decimal(most)}, {"residual", options.residual == Residual::chord ? "chord" : "arc"},

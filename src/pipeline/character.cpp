@@ -96,13 +96,15 @@ const ReferenceSkeleton& reference_of(Character& character, Workshop& workshop) 
     return *character.blended;
 }
 
+bool is_mirrored(const Identification& identification) {
+    return std::any_of(identification.candidates.begin(), identification.candidates.end(),
+                       [&](const Candidate& c) { return c.reference == identification.reference && c.mirrored; });
+}
+
 Rig rig_from_mapping(Character& character, Workshop& workshop, const std::filesystem::path& file) {
     const Identification& identification = identification_of(character, workshop);
     const ReferenceSkeleton& reference = reference_of(character, workshop);
-    const auto chosen =
-        std::find_if(identification.candidates.begin(), identification.candidates.end(),
-                     [&](const Candidate& c) { return c.reference == identification.reference; });
-    const bool mirrored = chosen != identification.candidates.end() && chosen->mirrored;
+    const bool mirrored = is_mirrored(identification);
     const Mapping mapping =
         mapping_from_json(read_text(file), file.string(), skeleton_of(character), reference);
     return in_its_space(rig_with_mapping(skeleton_of(character), labels_of(character), reference, mirrored, mapping,

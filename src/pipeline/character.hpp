@@ -33,6 +33,8 @@ const SkeletonGraph& skeleton_of(Character& character); // of the labels' size
 const Identification& identification_of(Character& character, Workshop& workshop);
 // The reference that identification chose; with --blend mixed with the best one of another type.
 const ReferenceSkeleton& reference_of(Character& character, Workshop& workshop);
+// Whether the chosen reference is left for right.
+bool is_mirrored(const Identification& identification);
 // Rigged anew from skeleton, labels, identification and mapping (a matter of milliseconds); the weights are
 // those of weights.txt, so that mapping and weights can be corrected by hand.
 const Rig& rig_of(Character& character, Workshop& workshop);
