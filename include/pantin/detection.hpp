@@ -35,7 +35,7 @@ struct DetectionOptions {
     double touching_gap =
         0.02; // pieces of like size this close are one (here and below: share of the smaller one)
     double closed_share = 0.03; // what encloses this share of its squared diagonal could stand alone
-    double deepest_pen = 0.02; // ink deeper than this share of its diagonal is colour, not a stroke
+    double deepest_pen = 0.02;  // ink deeper than this share of its diagonal is colour, not a stroke
     double contact_share =
         0.05;               // an open line has this share of the border of a room that it helps to enclose
     double head_size = 0.5; // a closed shape beside another is its head up to this share of it,
@@ -48,12 +48,14 @@ struct DetectionOptions {
     int min_side = 16;              // page pixels; smaller characters are dropped
 
     // Grouping by Mask R-CNN (src/detection/network_grouping.hpp).
-    double network_score = 0.5;    // least score of a detection
-    // A detection with so much of its mask inside the mask of a larger one that is as sure is a part of that character.
+    double network_score = 0.5; // least score of a detection
+    // A detection with so much of its mask inside the mask of a larger one that is as sure is a part of that
+    // character.
     double contained_share = 0.6;
-    double shared_claim = 0.2;     // a piece of ink of which others claim this share is divided
-    double unclaimed_reach = 0.06; // ink that nobody claims belongs to a character this near (of its diagonal)
-    int threads = 1;               // of the network; results do not depend on it
+    double shared_claim = 0.2; // a piece of ink of which others claim this share is divided
+    double unclaimed_reach =
+        0.06;        // ink that nobody claims belongs to a character this near (of its diagonal)
+    int threads = 1; // of the network; results do not depend on it
 };
 
 // Mask R-CNN (He et al. 2017; thesis 4.2, ch. 5) on the page's ink darkness.
@@ -72,8 +74,8 @@ public:
     };
     // By descending score.
     std::vector<Found> find(const RgbImage& page, int threads = 1) const;
-    // Number of the found character that claims each pixel most, by mask times score where the mask is at least
-    // one half; 0: none. The page is width × height pixels, seen at `factor` pixels per grid cell.
+    // Number of the found character that claims each pixel most, by mask times score where the mask is at
+    // least one half; 0: none. The page is width × height pixels, seen at `factor` pixels per grid cell.
     static Grid<int> claims(const std::vector<Found>& found, int width, int height, int factor);
 
 private:
@@ -91,8 +93,8 @@ struct DetectedCharacter {
 
 // Intermediate products are kept for `--trace` and `explain`.
 struct Detection {
-    int width = 0, height = 0;                 // of the page
-    Mask ink;                                  // after the adaptive threshold, page size; empty when nothing was detected
+    int width = 0, height = 0; // of the page
+    Mask ink;                  // after the adaptive threshold, page size; empty when nothing was detected
     std::vector<DetectedCharacter> characters; // left to right, then top to bottom, by box centre
 };
 
@@ -102,6 +104,7 @@ Detection detect(const RgbImage& page, const DetectionOptions& options = {},
                  const CharacterFinder* finder = nullptr);
 
 // The character whose silhouette on the page is known (of the page's size, not empty); its score is 1.
-DetectedCharacter character_of(const RgbImage& page, const Mask& silhouette, const DetectionOptions& options = {});
+DetectedCharacter character_of(const RgbImage& page, const Mask& silhouette,
+                               const DetectionOptions& options = {});
 
 } // namespace pantin

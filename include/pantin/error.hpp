@@ -29,7 +29,8 @@ private:
 };
 
 // A character that cannot go on through the pipeline although input and program are in order: a head alone,
-// a blob, a scribble. The pipeline writes `step: reason` into the character's status and goes on with the others.
+// a blob, a scribble. The pipeline writes `step: reason` into the character's status and goes on with the
+// others.
 class CharacterRejected : public std::runtime_error {
 public:
     CharacterRejected(std::string step, const std::string& reason)

@@ -3,9 +3,11 @@
 // A dataset is a folder (docs/formats.md, "Datasets"; tools/doodle writes such folders):
 //     image/<id>.png or .jpg      the page
 //     label/<id>.png              part labels of the page, 8-bit, value = label (optional)
-//     instance/<id>.png           value = number of the character, 1, 2, … (optional; without it the labels are one)
-//     index.ndjson                one object a line: id, and for one character type, species, pose, for several
-//                                 characters: [{type, species, pose}, …] in the order of their numbers (all optional)
+//     instance/<id>.png           value = number of the character, 1, 2, … (optional; without it the labels
+//     are one) index.ndjson                one object a line: id, and for one character type, species, pose,
+//     for several
+//                                 characters: [{type, species, pose}, …] in the order of their numbers (all
+//                                 optional)
 #pragma once
 
 #include <array>
@@ -19,7 +21,8 @@
 
 namespace pantin {
 
-// --- truth ---------------------------------------------------------------------------------------------------
+// --- truth
+// ---------------------------------------------------------------------------------------------------
 
 struct TrueCharacter {
     Mask mask;                       // page size; empty when the dataset has no label maps
@@ -48,7 +51,8 @@ private:
     std::vector<Row> rows_;
 };
 
-// --- results -------------------------------------------------------------------------------------------------
+// --- results
+// -------------------------------------------------------------------------------------------------
 
 // A character that the detector found, whether there is one or not. Overlap: intersection over union with the
 // true character that it overlaps most, of the detector's mask and of the silhouette after segmentation.
@@ -62,16 +66,16 @@ struct FoundCharacter {
 // A true character and what became of it.
 struct CharacterResult {
     std::string page, type, species;
-    bool found = false;             // its best detection overlaps it by one half or more
-    std::string folder;             // of that detection, below pages/<page>/
+    bool found = false; // its best detection overlaps it by one half or more
+    std::string folder; // of that detection, below pages/<page>/
     double mask_overlap = 0, silhouette_overlap = 0;
     std::array<double, label_count> part_overlap{}; // −1: the truth has no such part; [0] unused
-    double pixel_accuracy = 0;      // share of the true character's pixels with the right label
-    int pose_right = -1, expert_right = -1;         // −1: not known
-    std::string identified;         // reference; "" when the character did not get so far
+    double pixel_accuracy = 0;              // share of the true character's pixels with the right label
+    int pose_right = -1, expert_right = -1; // −1: not known
+    std::string identified;                 // reference; "" when the character did not get so far
     double confidence = 0;
-    std::string status;             // "ok", "step: reason", "not found"
-    double mean_overlap() const;    // over the parts that the truth has; −1 when it has none
+    std::string status;          // "ok", "step: reason", "not found"
+    double mean_overlap() const; // over the parts that the truth has; −1 when it has none
 };
 
 struct Evaluation {
@@ -89,12 +93,13 @@ Evaluation evaluate(const Dataset& dataset, const std::filesystem::path& out, co
 // by_mask: the detector's masks, else the silhouettes. NaN without true characters.
 double average_precision(const Evaluation& evaluation, double least_overlap, bool by_mask);
 
-// --- reports -------------------------------------------------------------------------------------------------
+// --- reports
+// -------------------------------------------------------------------------------------------------
 
 std::string evaluation_to_text(const Evaluation& evaluation);
 std::string evaluation_to_json(const Evaluation& evaluation);
-// One row per character with its drawing, labels and skeleton, as in tables 6.1 to 6.3 of the thesis; pictures
-// are referred to below `pages/`.
+// One row per character with its drawing, labels and skeleton, as in tables 6.1 to 6.3 of the thesis;
+// pictures are referred to below `pages/`.
 std::string evaluation_to_html(const Evaluation& evaluation);
 
 } // namespace pantin

@@ -30,8 +30,8 @@ struct Delaunay {
 // the set of points alone, not on their order.
 Delaunay delaunay(const std::vector<Point2i>& points);
 
-// Centre of the circle through three points that are not collinear, |coordinate| < 2^24. Exact up to the last rounding, so that of
-// cocircular triangles it is the same to the bit.
+// Centre of the circle through three points that are not collinear, |coordinate| < 2^24. Exact up to the last
+// rounding, so that of cocircular triangles it is the same to the bit.
 Point2d circumcentre(Point2i a, Point2i b, Point2i c);
 // An edge of the Voronoi diagram: dual of the Delaunay edge between two sites.
 struct VoronoiEdge {
@@ -76,8 +76,8 @@ struct SimplePolygon {
     std::vector<Point2d> corners; // interior on the left where y points up
     int cut = 0;                  // crossings that were cut off, each with the smaller of its two loops
 };
-// Closes the stroke, samples it evenly, simplifies it, cuts crossings. Error(input) for a coordinate that is not a number and for a
-// stroke without area.
+// Closes the stroke, samples it evenly, simplifies it, cuts crossings. Error(input) for a coordinate that is
+// not a number and for a stroke without area.
 SimplePolygon simple_polygon(const std::vector<Point2d>& stroke, const SimplePolygonOptions& options = {});
 
 } // namespace pantin

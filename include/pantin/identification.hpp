@@ -39,32 +39,36 @@ struct ReferenceTrack {
     // wing go up together), "flap" (out of the plane, positive moves the tip towards the viewer), "twist"
     // (about itself). "tx", "ty": translation of the root joint as a share of the character's height.
     std::string axis;
-    int segment = 0;      // along a limb's chain of bones: 0 the innermost
-    double amplitude = 0; // degrees (share of the height for translations; of the leg's length for half a step's way)
-    double phase = 0;     // in cycles
+    int segment = 0; // along a limb's chain of bones: 0 the innermost
+    double amplitude =
+        0; // degrees (share of the height for translations; of the leg's length for half a step's way)
+    double phase = 0; // in cycles
     double offset = 0;
     int cycles = 1; // whole cycles per clip, so that it loops
     // Of a "step", whose phase counts from the foot's contact:
     double lift = 0;   // share of the leg's length by which the foot is lifted
     double duty = 0.6; // share of the cycle that the foot spends on the ground
-    int bend = 1;      // of "step" and "plant": 1 the knee bends forwards (to the left, unless mirrored), −1 backwards
+    int bend =
+        1; // of "step" and "plant": 1 the knee bends forwards (to the left, unless mirrored), −1 backwards
 };
 struct ReferenceClip {
     std::string name;    // "walk", "fly", "idle"
     double duration = 1; // seconds
     std::vector<ReferenceTrack> tracks;
 };
-// A condition on the drawing: a trait of docs/identification.md, or "limb_ends" or "wing_ends" (numbers of such
-// end-effectors), lies between `low` and `high`.
+// A condition on the drawing: a trait of docs/identification.md, or "limb_ends" or "wing_ends" (numbers of
+// such end-effectors), lies between `low` and `high`.
 struct ReferenceNeed {
     std::string quantity;
     double low = 0, high = 0;
 };
 struct ReferenceSkeleton {
     std::string name;
-    // The reference whose evidence this one shares, or "any": that of the best. "" for one that stands on its own.
+    // The reference whose evidence this one shares, or "any": that of the best. "" for one that stands on its
+    // own.
     std::string like;
-    // Where all hold, the reference is chosen before the one that it is like; where one does not, it is no candidate.
+    // Where all hold, the reference is chosen before the one that it is like; where one does not, it is no
+    // candidate.
     std::vector<ReferenceNeed> needs;
     std::vector<ReferenceNode> nodes;
     std::vector<std::pair<int, int>> edges;
@@ -72,7 +76,8 @@ struct ReferenceSkeleton {
     std::vector<ReferenceClip> clips; // the first one is the default
 };
 
-// Has arms and legs: joints arm_left, arm_right, leg_left and leg_right. Recorded motions and VRM names are for these.
+// Has arms and legs: joints arm_left, arm_right, leg_left and leg_right. Recorded motions and VRM names are
+// for these.
 bool is_humanoid(const ReferenceSkeleton& reference);
 
 ReferenceSkeleton parse_reference(std::span<const unsigned char> json, const std::string& source);
@@ -82,10 +87,11 @@ ReferenceSkeleton parse_reference(std::span<const unsigned char> json, const std
 // replace the ones of their name or are added. Error(input) names the file.
 std::vector<ReferenceSkeleton> load_references(const std::filesystem::path& directory = {});
 
-// A reference between two. Ends of one label and nearest place are one; what `second` has more of a label is added to `first` (a
-// quadruped gets wings, a bird gets two more legs), with its joint. Each clip of `first` is mixed with the second's clip of that
-// name, or its first one: parts of which one reference has more move as that one says, the others by `share` as the first and by
-// 1 − `share` as the second says. Name, like, needs and the first nodes are the first's.
+// A reference between two. Ends of one label and nearest place are one; what `second` has more of a label is
+// added to `first` (a quadruped gets wings, a bird gets two more legs), with its joint. Each clip of `first`
+// is mixed with the second's clip of that name, or its first one: parts of which one reference has more move
+// as that one says, the others by `share` as the first and by 1 − `share` as the second says. Name, like,
+// needs and the first nodes are the first's.
 ReferenceSkeleton blend(const ReferenceSkeleton& first, const ReferenceSkeleton& second, double share);
 
 // --- geometric graph distance (Cheong et al. 2009, thesis Eq. 4.3–4.7) -------------------------------------
@@ -121,12 +127,12 @@ double matching_cost(const LabelledGraph& a, const LabelledGraph& b,
                      const std::vector<std::pair<int, int>>& pairs, const GgdOptions& options = {});
 // What it is the sum of.
 struct GgdTerms {
-    double places = 0, labels = 0;    // of matched vertices: K_v · distance, K_l · label distance
-    double lengths = 0;               // K_e · difference of the lengths of matched edges
-    double edges_a = 0, edges_b = 0;  // K_e · length of the edges without a partner
+    double places = 0, labels = 0;   // of matched vertices: K_v · distance, K_l · label distance
+    double lengths = 0;              // K_e · difference of the lengths of matched edges
+    double edges_a = 0, edges_b = 0; // K_e · length of the edges without a partner
 };
-GgdTerms matching_terms(const LabelledGraph& a, const LabelledGraph& b, const std::vector<std::pair<int, int>>& pairs,
-                        const GgdOptions& options = {});
+GgdTerms matching_terms(const LabelledGraph& a, const LabelledGraph& b,
+                        const std::vector<std::pair<int, int>>& pairs, const GgdOptions& options = {});
 
 enum class IlpFormulation { literal, tightened }; // Eq. 4.6 as printed, or as in ERRATA 12
 bool ilp_available();                             // built with GLPK
@@ -140,7 +146,7 @@ struct IdentificationOptions {
     bool thesis_score = false; // `thesis`: score = ggd, K_v = 0.38 for the quadruped (ERRATA 8), not mirrored
     bool use_evidence = true;  // presence and place of parts enter the score (ERRATA 10); false: score = the
                                // divided distance, ggd / (K_e Σ|e'|) (ERRATA 9)
-    std::string reference; // decides when not empty, whatever the scores are
+    std::string reference;     // decides when not empty, whatever the scores are
     bool use_ilp = false; // `thesis`: solve the ILP with GLPK too, asserted equal to the branch and bound
 };
 
@@ -159,17 +165,19 @@ struct Candidate {
 };
 struct Identification {
     std::string reference;
-    std::string type; // what the reference is like, or its own name: "humanoid", "quadruped", "flying", "fish", …
-    // exp(−score of the best) / Σ exp(−score) over the candidates that stand on their own (a reference that is like
-    // another has that one's): with evidence the probability that the fitted model gives its decision (equal priors of the
-    // three types), else a plain soft minimum.
+    std::string
+        type; // what the reference is like, or its own name: "humanoid", "quadruped", "flying", "fish", …
+    // exp(−score of the best) / Σ exp(−score) over the candidates that stand on their own (a reference that
+    // is like another has that one's): with evidence the probability that the fitted model gives its decision
+    // (equal priors of the three types), else a plain soft minimum.
     double confidence = 0;
     std::vector<Candidate> candidates; // from best to worst
 };
 
 // Throws CharacterRejected("identify", …) for what cannot move: a skeleton without an edge, more than 24 ends
-// (a scribble), one label only, or neither an end nor 2 % of the silhouette that is limb, wing or tail, and no head that
-// ends a body of 15 % (a head alone). Error(input) when `options.reference` is none of the references.
+// (a scribble), one label only, or neither an end nor 2 % of the silhouette that is limb, wing or tail, and
+// no head that ends a body of 15 % (a head alone). Error(input) when `options.reference` is none of the
+// references.
 Identification identify(const SkeletonGraph& graph, const LabelMap& labels,
                         const std::vector<ReferenceSkeleton>& references,
                         const IdentificationOptions& options = {});

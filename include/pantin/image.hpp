@@ -31,7 +31,8 @@ GreyImage turned(GreyImage image, int degrees);
 // pixels count as 0. Throws Error(input) naming the file.
 GreyImage load_grey(const std::filesystem::path& file);
 // The same from memory; `source` stands for the file in messages.
-RgbImage decode_image(std::span<const unsigned char> bytes, const std::string& source, int min_side = min_image_side);
+RgbImage decode_image(std::span<const unsigned char> bytes, const std::string& source,
+                      int min_side = min_image_side);
 GreyImage decode_grey(std::span<const unsigned char> bytes, const std::string& source);
 // A PNG of any kind with its colours and its alpha as they are stored.
 RgbaImage decode_rgba(std::span<const unsigned char> bytes, const std::string& source);
@@ -95,8 +96,8 @@ Mask unpad(const Mask& mask, int margin);
 
 // Whether the pixel belongs to the mask and one of its 4-neighbours does not; outside is background.
 inline bool on_border(const Mask& mask, int x, int y) {
-    return mask(x, y) && !(mask.value_or(x - 1, y, 0) && mask.value_or(x + 1, y, 0) && mask.value_or(x, y - 1, 0) &&
-                           mask.value_or(x, y + 1, 0));
+    return mask(x, y) && !(mask.value_or(x - 1, y, 0) && mask.value_or(x + 1, y, 0) &&
+                           mask.value_or(x, y - 1, 0) && mask.value_or(x, y + 1, 0));
 }
 
 // Morphology with a (2·radius+1)² square or with the discrete disc of that radius (all pixels whose centre is
@@ -132,7 +133,8 @@ Mask largest_component(const Mask& mask);
 // Fills 4-connected background regions that do not touch the border and are at most max_area pixels large.
 Mask fill_holes(const Mask& mask, long max_area = max_image_pixels);
 
-// The pixels of `hole` (of the image's size) take colours that continue their surroundings smoothly; the others stay.
+// The pixels of `hole` (of the image's size) take colours that continue their surroundings smoothly; the
+// others stay.
 RgbImage fill_in(const RgbImage& image, const Mask& hole);
 
 // --- distance --------------------------------------------------------------------------------------------

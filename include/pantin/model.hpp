@@ -1,5 +1,5 @@
-// Strokes to a rigged model in space (Ma et al., RealSkel, 2021): parts that are inflated, connected, refined and united.
-// The model's frame and the strokes' canvas: strokes.hpp. Lengths are canvas units.
+// Strokes to a rigged model in space (Ma et al., RealSkel, 2021): parts that are inflated, connected, refined
+// and united. The model's frame and the strokes' canvas: strokes.hpp. Lengths are canvas units.
 #pragma once
 
 #include <array>
@@ -16,11 +16,13 @@ namespace pantin {
 
 // --- inflation (4.1) ---------------------------------------------------------------------------------------
 
-// The squared half thickness over the inside of an outline, for height 1: the solution of Poisson's equation −Δh = 2 with h = 0 on
-// the outline, on linear triangles. So a long strip is round, and a disc of radius r is r/√2 thick on each side.
+// The squared half thickness over the inside of an outline, for height 1: the solution of Poisson's equation
+// −Δh = 2 with h = 0 on the outline, on linear triangles. So a long strip is round, and a disc of radius r is
+// r/√2 thick on each side.
 struct Inflation {
     std::vector<Point2d> points; // canvas
-    std::vector<std::array<int, 3>> triangles; // positively oriented (interior on the left where y points down as on the canvas)
+    std::vector<std::array<int, 3>>
+        triangles; // positively oriented (interior on the left where y points down as on the canvas)
     std::vector<double> squared; // per point; 0 on the outline, positive inside
     std::vector<char> border;    // per point
     double half_width = 0;       // area by perimeter: half the width of a long part
@@ -40,8 +42,8 @@ struct SolidMesh {
     std::vector<std::array<int, 3>> triangles; // counter-clockwise from outside
     std::vector<int> parts;                    // of unite(): the part that each vertex lies on
 };
-// Of the canvas into the model: a point (x, y) at depth d lies at origin + x · right + y · down + d · out. Right, down and out are
-// orthogonal and of one length; mirrored copies have the other handedness.
+// Of the canvas into the model: a point (x, y) at depth d lies at origin + x · right + y · down + d · out.
+// Right, down and out are orthogonal and of one length; mirrored copies have the other handedness.
 struct Frame {
     Vec3 origin, right{1, 0, 0}, down{0, -1, 0}, out{0, 0, 1};
 };
@@ -55,15 +57,16 @@ struct InflatedPart {
     Frame frame;
 };
 struct UnionOptions {
-    double cell = 0;             // of the grid, canvas units; 0: from the model's size and its thinnest part
-    double cells_across = 44; // of the model's longest side, when the cell is not given; thin parts ask for up to twice as many
+    double cell = 0; // of the grid, canvas units; 0: from the model's size and its thinnest part
+    double cells_across =
+        44; // of the model's longest side, when the cell is not given; thin parts ask for up to twice as many
 };
-// The outer surface of all parts as one mesh: closed, oriented, without self-intersection. The zero set of the parts' distances on a
-// body-centred cubic grid, by marching tetrahedra (Doi & Koide 1991).
+// The outer surface of all parts as one mesh: closed, oriented, without self-intersection. The zero set of
+// the parts' distances on a body-centred cubic grid, by marching tetrahedra (Doi & Koide 1991).
 SolidMesh unite(const std::vector<InflatedPart>& parts, const UnionOptions& options = {});
-// The same by exact arithmetic on the parts' own surfaces (CGAL's polygon mesh processing), to compare with; coordinates are rounded at
-// the end, SolidMesh::parts stays empty. Error(usage) in a build without CGAL; Error(input) when parts touch without overlapping, so that
-// their union is no manifold.
+// The same by exact arithmetic on the parts' own surfaces (CGAL's polygon mesh processing), to compare with;
+// coordinates are rounded at the end, SolidMesh::parts stays empty. Error(usage) in a build without CGAL;
+// Error(input) when parts touch without overlapping, so that their union is no manifold.
 SolidMesh unite_exactly(const std::vector<InflatedPart>& parts);
 bool exact_union_available();
 
@@ -89,14 +92,16 @@ struct ModelPart {
 };
 struct ModelOptions {
     SubSkeletonOptions skeleton;
-    RefinementOptions refinement; // of every part, until refine() says otherwise; shares of the part's diagonal
+    RefinementOptions
+        refinement; // of every part, until refine() says otherwise; shares of the part's diagonal
     InflationOptions inflation;
     UnionOptions unite;
 };
 
-// The interactive heart of the paper: every call brings the skeleton up to date. What depends on one part alone is made once for it;
-// connection and refinement are made anew. Surfaces are made when they are asked for, and kept until their part's stroke changes.
-// Throws Error(input) and stays as it was when a call is invalid (a name that is taken or unknown, a stroke without area, …).
+// The interactive heart of the paper: every call brings the skeleton up to date. What depends on one part
+// alone is made once for it; connection and refinement are made anew. Surfaces are made when they are asked
+// for, and kept until their part's stroke changes. Throws Error(input) and stays as it was when a call is
+// invalid (a name that is taken or unknown, a stroke without area, …).
 class Model {
 public:
     explicit Model(Point2d origin = {}, const ModelOptions& options = {});
@@ -140,10 +145,11 @@ private:
 
 // --- skin weights ------------------------------------------------------------------------------------------
 
-// Bone heat (Baran & Popović 2007, section 4): heat flows over the surface from the bone that is nearest to each place, so weights are
-// smooth, not negative and sum to one. Chosen over bounded biharmonic weights because it needs one sparse factorisation of the surface
-// alone, no volume mesh. Edge weights are clamped cotangents, so that the maximum principle holds on every mesh.
-// bones: segments in the mesh's frame; weights[v][b] in [0, 1].
+// Bone heat (Baran & Popović 2007, section 4): heat flows over the surface from the bone that is nearest to
+// each place, so weights are smooth, not negative and sum to one. Chosen over bounded biharmonic weights
+// because it needs one sparse factorisation of the surface alone, no volume mesh. Edge weights are clamped
+// cotangents, so that the maximum principle holds on every mesh. bones: segments in the mesh's frame;
+// weights[v][b] in [0, 1].
 struct BoneSegment {
     Vec3 head, tail;
     double radius = 0; // of the part around it; nearness counts from there

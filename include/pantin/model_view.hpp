@@ -1,5 +1,6 @@
-// Between drawings and models in space: part labels become strokes, a model becomes a picture, part labels and a skeleton in the
-// plane, which identification and mapping take as they take a drawing's; the rig that they find moves the model.
+// Between drawings and models in space: part labels become strokes, a model becomes a picture, part labels
+// and a skeleton in the plane, which identification and mapping take as they take a drawing's; the rig that
+// they find moves the model.
 #pragma once
 
 #include "pantin/grid.hpp"
@@ -9,13 +10,15 @@
 
 namespace pantin {
 
-// The parts of a label map as strokes in modelling order: body, head, limbs, tail, wings, each label's pieces from left to right. A piece
-// reaches into the parts that come before it, where it touches them, by the silhouette's half width there, so that solids overlap. The
-// canvas is the label map's. Error(input) when there is no part.
+// The parts of a label map as strokes in modelling order: body, head, limbs, tail, wings, each label's pieces
+// from left to right. A piece reaches into the parts that come before it, where it touches them, by the
+// silhouette's half width there, so that solids overlap. The canvas is the label map's. Error(input) when
+// there is no part.
 Strokes strokes_from_labels(const LabelMap& labels);
 
-// A parallel projection into a picture; pixel centres at integer coordinates, y down. Sheared so that far limbs do not hide behind near
-// ones (a cabinet projection): a model's point (x, y, z) is seen where (x + shear.x · z, y + shear.y · z) is.
+// A parallel projection into a picture; pixel centres at integer coordinates, y down. Sheared so that far
+// limbs do not hide behind near ones (a cabinet projection): a model's point (x, y, z) is seen where (x +
+// shear.x · z, y + shear.y · z) is.
 struct ModelView {
     int width = 0, height = 0;
     double scale = 1; // pixels per canvas unit
@@ -23,7 +26,8 @@ struct ModelView {
     Point2d shear;
     bool operator==(const ModelView&) const = default;
 };
-// The model with a margin; longer side `size` pixels. Without shear when all parts are drawn from the front at no depth.
+// The model with a margin; longer side `size` pixels. Without shear when all parts are drawn from the front
+// at no depth.
 ModelView view_of(const Model& model, const SolidMesh& mesh, int size = 400);
 Point2d project(const ModelView& view, Vec3 p);
 
@@ -32,7 +36,8 @@ struct ModelPicture {
     LabelMap labels;
 };
 ModelPicture draw(Model& model, const ModelView& view);
-// Ends and junctions with the chains between them. Trees that are not connected are joined where they are nearest.
+// Ends and junctions with the chains between them. Trees that are not connected are joined where they are
+// nearest.
 SkeletonGraph project_skeleton(const Model& model, const ModelView& view);
 
 Label label_of(const ModelPart& part); // given, or else from the name
@@ -41,9 +46,13 @@ Rgb8 colour_of(const ModelPart& part); // given, or else one of its label
 std::vector<Rgb8> part_colours(const Model& model, const SolidMesh& mesh);
 
 // `colours`: per vertex; none: the picture is projected on.
-// The model with its own bones: one for each joint but the roots, from its parent to it, named after its part.
-Rig model_rig(const Model& model, const SolidMesh& mesh, const ModelView& view, const std::vector<Rgb8>& colours = {});
-// The rig of the picture in space: the same bones, each where the model's skeleton runs, on the model's surface.
-Rig lifted(const Rig& flat, const Model& model, const SolidMesh& mesh, const ModelView& view, const std::vector<Rgb8>& colours = {});
+// The model with its own bones: one for each joint but the roots, from its parent to it, named after its
+// part.
+Rig model_rig(const Model& model, const SolidMesh& mesh, const ModelView& view,
+              const std::vector<Rgb8>& colours = {});
+// The rig of the picture in space: the same bones, each where the model's skeleton runs, on the model's
+// surface.
+Rig lifted(const Rig& flat, const Model& model, const SolidMesh& mesh, const ModelView& view,
+           const std::vector<Rgb8>& colours = {});
 
 } // namespace pantin

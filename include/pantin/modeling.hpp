@@ -1,6 +1,7 @@
-// From strokes to skeletons and models (Ma et al., RealSkel: real-time skeletonization of user-sketched parts, 2021).
-// Coordinates of strokes: any unit, x to the right, y up or down. Lengths that the paper gives in pixels of its canvas are shares of the
-// stroke's diagonal, the diagonal of its bounding box, so that results do not depend on resolution (docs/errata.md).
+// From strokes to skeletons and models (Ma et al., RealSkel: real-time skeletonization of user-sketched
+// parts, 2021). Coordinates of strokes: any unit, x to the right, y up or down. Lengths that the paper gives
+// in pixels of its canvas are shares of the stroke's diagonal, the diagonal of its bounding box, so that
+// results do not depend on resolution (docs/errata.md).
 #pragma once
 
 #include <map>
@@ -14,25 +15,28 @@ namespace pantin {
 
 // --- sub-skeleton (3.1) ------------------------------------------------------------------------------------
 
-// An axis with the shape's half widths on both sides at points of equal arc length: the general cylinder of a branch.
+// An axis with the shape's half widths on both sides at points of equal arc length: the general cylinder of a
+// branch.
 struct Cylinder {
     std::vector<Point2d> axis;
     std::vector<double> left, right; // along the perpendicular, from the axis to the border
 };
-// Indices of the axis' points that are kept, ends included (Algorithm 1): the point with the largest error d⊥ + shape_weight · (d⁺ + d⁻)
-// is kept while it exceeds the threshold. d⊥: from the point to the line through the ends; d⁺, d⁻: from the ends of its slice to the
-// sides of the trapezoid between the first and the last slice, with the axis stretched straight.
+// Indices of the axis' points that are kept, ends included (Algorithm 1): the point with the largest error d⊥
+// + shape_weight · (d⁺ + d⁻) is kept while it exceeds the threshold. d⊥: from the point to the line through
+// the ends; d⁺, d⁻: from the ends of its slice to the sides of the trapezoid between the first and the last
+// slice, with the axis stretched straight.
 std::vector<int> bounded_dp(const Cylinder& cylinder, double threshold, double shape_weight);
 
 struct SubSkeletonOptions {
     SimplePolygonOptions polygon;
-    double collapse = 0.5;         // of the mean edge: shorter edges of the straight skeleton are collapsed, …
-    int collapse_rounds = 3;       // … so often
-    double threshold = 0.0077;     // of BoundedDP at first, share of the diagonal; 5 pixels of the paper's canvas
+    double collapse = 0.5;     // of the mean edge: shorter edges of the straight skeleton are collapsed, …
+    int collapse_rounds = 3;   // … so often
+    double threshold = 0.0077; // of BoundedDP at first, share of the diagonal; 5 pixels of the paper's canvas
     double least_threshold = 0.0002; // below it all slices are kept; 1 pixel would be 0.0015
-    double threshold_factor = 0.8; // by which it is lowered while a bone leaves the shape (Algorithm 2)
-    double shape_weight = 0.25;    // α_s; the paper does not print it
-    std::map<int, double> branch_thresholds; // instead of `threshold`, by number of the branch; −1: of all others (3.3, branch level)
+    double threshold_factor = 0.8;   // by which it is lowered while a bone leaves the shape (Algorithm 2)
+    double shape_weight = 0.25;      // α_s; the paper does not print it
+    std::map<int, double> branch_thresholds; // instead of `threshold`, by number of the branch; −1: of all
+                                             // others (3.3, branch level)
 };
 struct SubSkeleton {
     struct Joint {
@@ -42,13 +46,16 @@ struct SubSkeleton {
     SimplePolygon outline;
     std::vector<Joint> joints;
     std::vector<std::pair<int, int>> bones; // a tree
-    std::vector<std::vector<int>> branches; // their joints from an end or a junction to the next one; numbered by the outline alone
+    std::vector<std::vector<int>>
+        branches; // their joints from an end or a junction to the next one; numbered by the outline alone
 };
-// Straight skeleton, without its peripheral arcs (those that begin at the outline), short edges collapsed; every branch is smoothed by a
-// spline, sliced evenly and simplified by BoundedDP, so that its bones stay inside the shape.
+// Straight skeleton, without its peripheral arcs (those that begin at the outline), short edges collapsed;
+// every branch is smoothed by a spline, sliced evenly and simplified by BoundedDP, so that its bones stay
+// inside the shape.
 SubSkeleton sub_skeleton(const std::vector<Point2d>& stroke, const SubSkeletonOptions& options = {});
 
-// --- skeletons in space --------------------------------------------------------------------------------------
+// --- skeletons in space
+// --------------------------------------------------------------------------------------
 
 // Joints of one part or of a whole model, joined to trees.
 struct JointTree {
@@ -67,10 +74,11 @@ struct JointTree {
 
 // What connect() found for one part.
 struct Attachment {
-    int parent = -1;     // part; −1: a root
-    int joint = -1;      // of the part, in the connected tree: where it hangs
+    int parent = -1;       // part; −1: a root
+    int joint = -1;        // of the part, in the connected tree: where it hangs
     int parent_joint = -1; // that it hangs on, in the connected tree
-    bool split = false;  // bone-split event: that joint is new, on a bone of the parent; else joint-connect event
+    bool split =
+        false; // bone-split event: that joint is new, on a bone of the parent; else joint-connect event
 };
 struct Connection {
     JointTree tree;
@@ -81,10 +89,11 @@ struct ParentWish {
     int parent = -1; // this part, or its copy, whatever is met
     int like = -1;   // the part is a copy of this one: it hangs on the same part, or on that part's copy
 };
-// Connects the parts' skeletons in modelling order. A part hangs on the earlier part in whose balls and cylinders one of its ends or
-// junctions lies, the nearest one by Eq. (1); else on one whose balls and cylinders meet its own; else it is a root. The joint and the
-// bone of the smallest distance (Eq. 1) are joined: on the bone (bone-split event) when the foot of the perpendicular lies inside it,
-// else at its nearer end (joint-connect event). wishes[i] is about part i and names earlier parts.
+// Connects the parts' skeletons in modelling order. A part hangs on the earlier part in whose balls and
+// cylinders one of its ends or junctions lies, the nearest one by Eq. (1); else on one whose balls and
+// cylinders meet its own; else it is a root. The joint and the bone of the smallest distance (Eq. 1) are
+// joined: on the bone (bone-split event) when the foot of the perpendicular lies inside it, else at its
+// nearer end (joint-connect event). wishes[i] is about part i and names earlier parts.
 Connection connect(const std::vector<JointTree>& parts, const std::vector<ParentWish>& wishes);
 
 // --- refinement (3.3) --------------------------------------------------------------------------------------
@@ -95,8 +104,8 @@ struct RefinementOptions {
     double merge = 0.046;    // junctions so close along one branch become one
     double collapse = 0.015; // a shorter bone between two inner joints becomes a joint
 };
-// Prunes, merges and collapses, in this order. limits[part]: absolute lengths; between joints of two parts the larger one holds. Of
-// joints that become one the widest gives the place, the first one on a tie.
+// Prunes, merges and collapses, in this order. limits[part]: absolute lengths; between joints of two parts
+// the larger one holds. Of joints that become one the widest gives the place, the first one on a tie.
 JointTree refine(const JointTree& tree, const std::vector<RefinementOptions>& limits);
 SubSkeleton refine(const SubSkeleton& skeleton, const RefinementOptions& options = {});
 

@@ -1,9 +1,9 @@
 // Recorded motions: Biovision hierarchies (BVH), and what they do to a humanoid character.
 //
-// A motion is 3D, a drawing is flat. Limb by limb the motion is projected on the plane in which it moves most, seen from
-// the front (the frontal plane) or from the side (the sagittal plane), and the limb is turned to the direction that the
-// projection has; lengths stay those of the drawing (after Smith et al., A Method for Animating Children's Drawings of the
-// Human Figure, 2023, section 3.4).
+// A motion is 3D, a drawing is flat. Limb by limb the motion is projected on the plane in which it moves
+// most, seen from the front (the frontal plane) or from the side (the sagittal plane), and the limb is turned
+// to the direction that the projection has; lengths stay those of the drawing (after Smith et al., A Method
+// for Animating Children's Drawings of the Human Figure, 2023, section 3.4).
 #pragma once
 
 #include <string>
@@ -37,13 +37,16 @@ struct Motion {
 
 // Error(input) names `file`, the line and the fact.
 Motion parse_bvh(std::string_view text, const std::string& file);
-// Places of all joints in a frame. Rotations apply in the order of the channels; position channels replace the offset.
+// Places of all joints in a frame. Rotations apply in the order of the channels; position channels replace
+// the offset.
 std::vector<Vec3> joint_positions(const Motion& motion, std::size_t frame);
 
-// An animation as BVH: a joint for every bone (end sites at the tips of limbs), the character 100 units high, y up.
+// An animation as BVH: a joint for every bone (end sites at the tips of limbs), the character 100 units high,
+// y up.
 std::string to_bvh(const Rig& rig, const BoneAnimation& animation);
 
-// The joints of a motion that play the parts of a human body; −1 where it has none. Left and right are the performer's.
+// The joints of a motion that play the parts of a human body; −1 where it has none. Left and right are the
+// performer's.
 struct MotionJoints {
     int hips = -1, neck = -1, head = -1, head_end = -1;
     struct Side {
@@ -51,17 +54,21 @@ struct MotionJoints {
     };
     Side left, right;
 };
-// By the names that common programs use ("mixamorig:LeftArm", "lShldr", "upper_arm.L", "LeftShoulder" over "LeftElbow", …).
-// Error(input) names `file` and the first part of the body that no joint plays; neck and head may be missing.
+// By the names that common programs use ("mixamorig:LeftArm", "lShldr", "upper_arm.L", "LeftShoulder" over
+// "LeftElbow", …). Error(input) names `file` and the first part of the body that no joint plays; neck and
+// head may be missing.
 MotionJoints match_joints(const Motion& motion, const std::string& file);
 // Part of the body → name of the joint, for people to read.
-std::vector<std::pair<std::string, std::string>> match_table(const Motion& motion, const MotionJoints& joints);
+std::vector<std::pair<std::string, std::string>> match_table(const Motion& motion,
+                                                             const MotionJoints& joints);
 
-// Whether a bone that follows a joint of that name ("arm_left") belongs to the left of the picture, the performer's right.
+// Whether a bone that follows a joint of that name ("arm_left") belongs to the left of the picture, the
+// performer's right.
 bool shown_left(const Bone& bone, const std::string& joint);
 
-// The motion on a character's bones. The performer faces the viewer: its left is the right of the picture. `start` and
-// `seconds` cut the motion. The hips' way is scaled by the length of the legs, so that the feet keep the ground.
+// The motion on a character's bones. The performer faces the viewer: its left is the right of the picture.
+// `start` and `seconds` cut the motion. The hips' way is scaled by the length of the legs, so that the feet
+// keep the ground.
 BoneAnimation follow(const Rig& rig, const ReferenceSkeleton& reference, const Motion& motion,
                      const MotionJoints& joints, double start = 0, double seconds = 12);
 

@@ -28,14 +28,15 @@ namespace pantin::network {
 // --- tensors ---------------------------------------------------------------------------------------------
 
 // Memory of a tensor. Blocks that tensors give back are kept and used again: the layers of a network need
-// the same few sizes over and over, and fresh memory costs more than many a layer. Each block has spare floats
-// behind its end, so that the last vector may be read whole.
+// the same few sizes over and over, and fresh memory costs more than many a layer. Each block has spare
+// floats behind its end, so that the last vector may be read whole.
 class Buffer {
 public:
     Buffer() = default;
     explicit Buffer(std::size_t size); // content undefined
     Buffer(const Buffer& other);
-    Buffer(Buffer&& other) noexcept : block_(std::exchange(other.block_, {})), size_(std::exchange(other.size_, 0)) {}
+    Buffer(Buffer&& other) noexcept
+        : block_(std::exchange(other.block_, {})), size_(std::exchange(other.size_, 0)) {}
     Buffer& operator=(Buffer other) noexcept {
         std::swap(block_, other.block_);
         std::swap(size_, other.size_);
@@ -48,7 +49,9 @@ public:
     const float* begin() const { return block_.data; }
     const float* end() const { return block_.data + size_; }
     std::size_t size() const { return size_; }
-    bool operator==(const Buffer& other) const { return std::equal(begin(), end(), other.begin(), other.end()); }
+    bool operator==(const Buffer& other) const {
+        return std::equal(begin(), end(), other.begin(), other.end());
+    }
 
     struct Block {
         float* data = nullptr;
@@ -266,7 +269,7 @@ void relu(Tensor& x);                      // x > 0 ? x : 0
 void add_relu(Tensor& x, const Tensor& y); // relu(x + y)
 void add(Tensor& x, const Tensor& y);
 Tensor concatenate(const Tensor& a, const Tensor& b); // along channels
-Tensor mirrored(const Tensor& input); // left and right exchanged
+Tensor mirrored(const Tensor& input);                 // left and right exchanged
 Tensor resize_nearest(const Tensor& input, int height, int width);
 // x += y, resized to x's size as above.
 void add_nearest(Tensor& x, const Tensor& y);

@@ -1,7 +1,7 @@
 // The whole way from a page to animated characters, and each step of it alone on a character's folder.
 //
-// Files and folders: docs/formats.md. Every step keeps what it makes in memory and writes it; a step that runs
-// alone reads the files of the steps before it. Both ways give the same bytes.
+// Files and folders: docs/formats.md. Every step keeps what it makes in memory and writes it; a step that
+// runs alone reads the files of the steps before it. Both ways give the same bytes.
 #pragma once
 
 #include <filesystem>
@@ -56,18 +56,21 @@ std::vector<std::pair<std::string, std::string>> list_options(const Options& opt
 // --- settings of a run -------------------------------------------------------------------------------------
 
 struct RenderRequest {
-    std::string clip = "all";         // a clip of the reference, or all
-    double fps = 25;                  // 1 … 100
-    std::vector<std::string> formats; // of webp, gif, apng, mp4, png, bvh; empty: webp, and gif for the first clip
-    bool scene = false;               // `animate`: the whole page as one film, too
+    std::string clip = "all"; // a clip of the reference, or all
+    double fps = 25;          // 1 … 100
+    std::vector<std::string>
+        formats;        // of webp, gif, apng, mp4, png, bvh; empty: webp, and gif for the first clip
+    bool scene = false; // `animate`: the whole page as one film, too
     RenderOptions picture;
 };
 
-// Results of steps that the user gives; `animate` then skips those steps. Pictures have the page's size (before `rotate`).
+// Results of steps that the user gives; `animate` then skips those steps. Pictures have the page's size
+// (before `rotate`).
 struct Given {
-    std::filesystem::path mask;   // grey PNG, the one character is where it is at least 128
-    std::filesystem::path labels; // grey PNG of label values 0 to 5; without a mask the character is where they are not 0
-    std::string reference;        // name of the reference that every character moves like
+    std::filesystem::path mask; // grey PNG, the one character is where it is at least 128
+    std::filesystem::path
+        labels; // grey PNG of label values 0 to 5; without a mask the character is where they are not 0
+    std::string reference; // name of the reference that every character moves like
 };
 
 struct Settings {
@@ -75,13 +78,14 @@ struct Settings {
     Given given;
     std::filesystem::path weights;    // folder of segmenter.safetensors; empty: compiled in
     std::filesystem::path references; // folder of more reference skeletons; empty: none
-    std::filesystem::path mapping;    // rig_folder: pairs as in mapping.json instead of matching; empty: match
-    std::filesystem::path motion;     // a BVH file that humanoids follow, as one more clip of its name; empty: none
-    bool blend = false;               // clips of the two best types are mixed
-    int rotate = 0;                   // degrees by which a page is first turned clockwise: 0, 90, 180, 270
-    int threads = 1;                  // results do not depend on it
-    bool animated_drawings = false;   // humanoids are also written as AnimatedDrawings character folders
-    bool trace = false;               // intermediate products are written, too
+    std::filesystem::path mapping; // rig_folder: pairs as in mapping.json instead of matching; empty: match
+    std::filesystem::path
+        motion;         // a BVH file that humanoids follow, as one more clip of its name; empty: none
+    bool blend = false; // clips of the two best types are mixed
+    int rotate = 0;     // degrees by which a page is first turned clockwise: 0, 90, 180, 270
+    int threads = 1;    // results do not depend on it
+    bool animated_drawings = false; // humanoids are also written as AnimatedDrawings character folders
+    bool trace = false;             // intermediate products are written, too
     RenderRequest render;
     // Called before each step when set; `share` of the work done so far, 0 to 1.
     std::function<void(const std::string& what, double share)> progress;
@@ -90,8 +94,8 @@ struct Settings {
 
 // --- networks ----------------------------------------------------------------------------------------------
 
-// Each is loaded when it is first asked for, and stays. Several threads may share them: a network does not change when it is
-// used.
+// Each is loaded when it is first asked for, and stays. Several threads may share them: a network does not
+// change when it is used.
 class Networks {
 public:
     explicit Networks(std::filesystem::path weights = {}) : folder_(std::move(weights)) {} // as in Settings
@@ -120,8 +124,8 @@ struct PageCharacter {
 inline constexpr const char* unfinished_status = "unfinished";
 
 struct Page {
-    std::string source; // file name of the picture
-    int rotate = 0; // degrees by which the picture was first turned clockwise
+    std::string source;        // file name of the picture
+    int rotate = 0;            // degrees by which the picture was first turned clockwise
     int width = 0, height = 0; // after that
     std::string detector = "contour";
     std::vector<PageCharacter> characters;
@@ -130,13 +134,15 @@ Page read_page(const std::filesystem::path& file);
 
 // --- the steps ---------------------------------------------------------------------------------------------
 
-// The whole pipeline: `image`, a picture or an AnimatedDrawings character folder, to out/page.json and one folder a
-// character (and out/scene.* when that is wanted). A character that cannot go on keeps the files it has and says why in its
-// status. Throws Error(not_animated) when none could be animated, after page.json is written; Error(no_character) when there is
-// none. page.json is the last file to get its final content, so a run that was cut off does not look finished.
+// The whole pipeline: `image`, a picture or an AnimatedDrawings character folder, to out/page.json and one
+// folder a character (and out/scene.* when that is wanted). A character that cannot go on keeps the files it
+// has and says why in its status. Throws Error(not_animated) when none could be animated, after page.json is
+// written; Error(no_character) when there is none. page.json is the last file to get its final content, so a
+// run that was cut off does not look finished.
 Page animate(const std::filesystem::path& image, const std::filesystem::path& out, const Settings& settings);
 // The same with networks that other pages use, too; the weights of the settings do not count.
-Page animate(const std::filesystem::path& image, const std::filesystem::path& out, const Settings& settings, Networks& networks);
+Page animate(const std::filesystem::path& image, const std::filesystem::path& out, const Settings& settings,
+             Networks& networks);
 
 // Step 1. Replaces the characters of a former run in `out`.
 Page detect_page(const std::filesystem::path& image, const std::filesystem::path& out,
@@ -146,7 +152,8 @@ Page detect_page(const std::filesystem::path& image, const std::filesystem::path
 // one, up to date, and throw Error(not_animated) when the character cannot go on.
 void segment_folder(const std::filesystem::path& folder, const Settings& settings);
 void skeletonize_folder(const std::filesystem::path& folder, const Settings& settings);
-// The skeletons of all methods side by side, for looking at: skeletons.png and skeletons.json. Reads labels and drawing.
+// The skeletons of all methods side by side, for looking at: skeletons.png and skeletons.json. Reads labels
+// and drawing.
 void compare_skeletons_folder(const std::filesystem::path& folder, const Settings& settings);
 void identify_folder(const std::filesystem::path& folder, const Settings& settings);
 void rig_folder(const std::filesystem::path& folder, const Settings& settings);
@@ -154,11 +161,12 @@ void render_folder(const std::filesystem::path& folder, const Settings& settings
 
 // --- models -----------------------------------------------------------------------------------------------
 
-// Strokes (JSON or SVG, strokes.hpp) or a character's folder with labels.png to a rigged model: out/strokes.json, model.json, model.obj,
-// model.mtl, model.glb, views.png, and what identify_folder takes: drawing.png, mask.png, labels.png, skeleton.json. `calls`: a strokes.json whose
-// calls come after the input's own; empty: none. rig_folder and render_folder find the strokes and move the solid.
-// Error(input): a stroke or a call is invalid, or a file is none of these.
-void model_folder(const std::filesystem::path& input, const std::filesystem::path& out, const std::filesystem::path& calls,
-                  const Settings& settings);
+// Strokes (JSON or SVG, strokes.hpp) or a character's folder with labels.png to a rigged model:
+// out/strokes.json, model.json, model.obj, model.mtl, model.glb, views.png, and what identify_folder takes:
+// drawing.png, mask.png, labels.png, skeleton.json. `calls`: a strokes.json whose calls come after the
+// input's own; empty: none. rig_folder and render_folder find the strokes and move the solid. Error(input): a
+// stroke or a call is invalid, or a file is none of these.
+void model_folder(const std::filesystem::path& input, const std::filesystem::path& out,
+                  const std::filesystem::path& calls, const Settings& settings);
 
 } // namespace pantin

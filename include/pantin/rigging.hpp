@@ -41,10 +41,11 @@ std::vector<int> hungarian(const std::vector<std::vector<double>>& costs);
 //     path_weight · c / mean c + position_weight · d² + trunk_weight · t² +
 //     label_penalty · [other label] − prior_weight · [matched],
 // c the similarity cost of the thesis, d the distance of the two ends, each in the bounding box of its own
-// figure, t in the box of the body (as far as 0.75 of it outside), and `matched` when identification matched the two. A pair of different labels is allowed only where
-// it makes sense (a limb for a tail or a wing, a wing for a limb of a reference without wings, a body end for
-// the head) and d ≤ mixed_reach; every other one costs `unmatched_cost` and is dropped after the assignment.
-// Pairs of one label are then put into cyclic order, so that no two limbs cross.
+// figure, t in the box of the body (as far as 0.75 of it outside), and `matched` when identification matched
+// the two. A pair of different labels is allowed only where it makes sense (a limb for a tail or a wing, a
+// wing for a limb of a reference without wings, a body end for the head) and d ≤ mixed_reach; every other one
+// costs `unmatched_cost` and is dropped after the assignment. Pairs of one label are then put into cyclic
+// order, so that no two limbs cross.
 struct MappingOptions {
     int samples = 50;              // M
     double alpha = 0.1;            // thesis 4.6
@@ -62,8 +63,9 @@ struct MappingOptions {
 };
 // What Eq. 4.9 to 4.13 find for one end-effector of the character and one of the reference (Fig. 4.15, 4.16).
 struct EndComparison {
-    std::vector<std::vector<double>> distances; // of the paths from the one (rows) to those from the other (columns), Eq. 4.11
-    OsbResult osb;                              // its cost is the similarity cost of the two ends
+    std::vector<std::vector<double>>
+        distances; // of the paths from the one (rows) to those from the other (columns), Eq. 4.11
+    OsbResult osb; // its cost is the similarity cost of the two ends
 };
 struct EndPair {
     int end = 0;           // skeleton vertex
@@ -76,22 +78,23 @@ struct Mapping {
     std::vector<std::vector<double>> costs; // [ends][reference_ends], what the assignment minimises
     std::vector<EndPair> pairs;             // ascending by end
     std::vector<int> unmatched_ends;        // skeleton vertices without a partner, ascending
-    // How the costs came about; empty in a mapping that was read from a file. paths[i][k]: from the i-th end to the (i + 1 + k)-th,
-    // cyclically.
+    // How the costs came about; empty in a mapping that was read from a file. paths[i][k]: from the i-th end
+    // to the (i + 1 + k)-th, cyclically.
     std::vector<std::vector<PathSamples>> paths, reference_paths;
     std::vector<std::vector<EndComparison>> comparisons; // [ends][reference_ends]
 };
 // `labels` has the size of the graph; `match` is the candidate that identification chose for `reference`.
-Mapping map_end_effectors(const SkeletonGraph& graph, const LabelMap& labels, const ReferenceSkeleton& reference,
-                          const Candidate& match, const MappingOptions& options = {});
+Mapping map_end_effectors(const SkeletonGraph& graph, const LabelMap& labels,
+                          const ReferenceSkeleton& reference, const Candidate& match,
+                          const MappingOptions& options = {});
 
 // --- mesh ---------------------------------------------------------------------------------------------
 
 struct Mesh {
     std::vector<Point2d> vertices;       // working pixels
     std::vector<std::vector<int>> faces; // 3 to 6 corners, convex at rest, clockwise on screen (y down)
-    // Of marching squares, per face: which corners of its voxel lie inside, 1 top left, 2 top right, 4 bottom right, 8 bottom left,
-    // so 1 … 15 (Fig. 4.17); else empty.
+    // Of marching squares, per face: which corners of its voxel lie inside, 1 top left, 2 top right, 4 bottom
+    // right, 8 bottom left, so 1 … 15 (Fig. 4.17); else empty.
     std::vector<std::uint8_t> cases{};
 };
 enum class MeshMethod {
@@ -103,8 +106,9 @@ struct MeshOptions {
     int cell = 0; // side of a voxel in working pixels; 0: from the size and the thinnest limb (ERRATA 21)
     double margin = -1; // the silhouette is grown by this many pixels first; −1: `ink_margin`; `thesis`: 0
     bool interpolate_distance = true; // `thesis`: false, the midpoint
-    double snap = 0.35; // share of the cell: a voxel corner so close to the border is moved onto it; `thesis`: 0
-    bool cut_touching_parts = true;   // ERRATA 22; `thesis`: false
+    double snap =
+        0.35; // share of the cell: a voxel corner so close to the border is moved onto it; `thesis`: 0
+    bool cut_touching_parts = true; // ERRATA 22; `thesis`: false
 };
 // Marching squares quad mesh (thesis 4.6, Fig. 4.17; Maple 2003) of the silhouette grown by `options.margin`
 // (negative: 0). Voxel corners lie at multiples of the cell. Every vertex is shared, no two lie at one place,
@@ -112,10 +116,11 @@ struct MeshOptions {
 // many pieces as the grown silhouette and all its holes of more than four voxels (or the cell is 2).
 Mesh marching_squares(const Mask& silhouette, const MeshOptions& options);
 
-// The Voronoi regions of the border's pixels inside the silhouette (thesis 4.6, Fig. 4.18(b)) grown by `margin` pixels (negative:
-// 0), each cut into a fan of triangles about its site. Borders run 1/4 pixel inside the pixels' outer sides. Vertices and edges are shared
-// as above; pieces and holes are those of the grown silhouette. About four vertices and six faces a border pixel, long and thin:
-// such a mesh tears where weights differ, which is why it is not the default.
+// The Voronoi regions of the border's pixels inside the silhouette (thesis 4.6, Fig. 4.18(b)) grown by
+// `margin` pixels (negative: 0), each cut into a fan of triangles about its site. Borders run 1/4 pixel
+// inside the pixels' outer sides. Vertices and edges are shared as above; pieces and holes are those of the
+// grown silhouette. About four vertices and six faces a border pixel, long and thin: such a mesh tears where
+// weights differ, which is why it is not the default.
 Mesh voronoi_mesh(const Mask& silhouette, double margin = 0);
 
 // The mesh by the method of the options.

@@ -61,21 +61,25 @@ struct SegmentationOptions {
     // Thesis ch. 5: grey erosion of photographs, so that strokes are as thick and sharp as in the training
     // data: the darkest value of the 3×3 neighbourhood at the network's resolution.
     bool grey_erosion = false;
-    // Probabilities are means over several looks at the drawing: with its mirror image, and tilted by so many degrees to
-    // either side (0: not). A look counts exp(sharpness · mean probability of the parts that it sees). `thesis`: one look.
+    // Probabilities are means over several looks at the drawing: with its mirror image, and tilted by so many
+    // degrees to either side (0: not). A look counts exp(sharpness · mean probability of the parts that it
+    // sees). `thesis`: one look.
     bool mirror = true;
     double tilt = 20, sharpness = 30;
-    // When the first look, at the drawing as it is, is this sure (as `Segmentation::sureness`) it is the only one.
+    // When the first look, at the drawing as it is, is this sure (as `Segmentation::sureness`) it is the only
+    // one.
     double sure_enough = 0.96;
-    // A drawing of which even the surest look is less sure, and whose strokes are longer than its outline by this factor, is
-    // a scribble and no character. (An outline with gaps makes the network unsure, too.) `thesis`: least_sureness 0.
+    // A drawing of which even the surest look is less sure, and whose strokes are longer than its outline by
+    // this factor, is a scribble and no character. (An outline with gaps makes the network unsure, too.)
+    // `thesis`: least_sureness 0.
     double least_sureness = 0.895, scribble_ratio = 1.2;
     SilhouetteOptions silhouette;
 };
 
 struct Segmentation {
     std::string expert; // the expert that the router chose
-    double stroke_ratio = 0; // length of the strokes over that of the silhouette's border: 1 for a plain outline
+    double stroke_ratio =
+        0;               // length of the strokes over that of the silhouette's border: 1 for a plain outline
     double sureness = 0; // mean probability of the most probable part, over the foreground of the surest look
     std::vector<std::pair<std::string, double>>
         router;                             // expert → probability, in the order of the weight file

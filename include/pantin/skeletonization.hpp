@@ -21,14 +21,16 @@ enum class SkeletonMethod {
     voronoi,  // edges of the Voronoi diagram of the border's pixels with a large residual (thesis 4.4)
     straight, // inner arcs of the straight skeleton of the simplified borders (Ma et al. 2021, 3.1)
     thinning, // the whole silhouette
-    chordal   // midpoints of the chords of the smoothed borders' triangulation (Prasad 1997; Borosán et al. 2012)
+    chordal   // midpoints of the chords of the smoothed borders' triangulation (Prasad 1997; Borosán et al.
+              // 2012)
 };
 
 struct SkeletonizationOptions {
     SkeletonMethod method = SkeletonMethod::voronoi;
     Residual residual = Residual::chord; // `thesis`: arc
-    double residual_threshold = 30;      // voronoi, chordal; at 321 px, scales with the longer side of the mask (thesis ch. 5)
-    double merge_distance = 5;           // ε of H2 at 321 px, scales likewise (thesis 4.4)
+    double residual_threshold =
+        30; // voronoi, chordal; at 321 px, scales with the longer side of the mask (thesis ch. 5)
+    double merge_distance = 5; // ε of H2 at 321 px, scales likewise (thesis 4.4)
     double fill_holes_share =
         0.02; // holes smaller than this share of the shape are filled; `thesis`: 0 (ERRATA 4)
     // A head, limb, tail or wing of at least this share of the shape that no ridge enters gets a branch; 0
@@ -39,7 +41,8 @@ struct SkeletonizationOptions {
     // Limbs, tails or wings that touch are cut apart where they are farthest from the body, since a cycle has
     // no end that could move (11 of 562 figures); `thesis`: false.
     bool cut_cycles = true;
-    // A shape whose skeleton is a single point (a round duck) gets half the threshold, again and again; `thesis`: false.
+    // A shape whose skeleton is a single point (a round duck) gets half the threshold, again and again;
+    // `thesis`: false.
     bool lower_threshold = true;
 };
 
@@ -66,26 +69,30 @@ struct SkeletonGraph {
 struct Skeletonization {
     Mask mask; // largest component of the silhouette, holes filled
     std::vector<Border> contour;
-    std::vector<VoronoiEdge> voronoi;   // all edges inside the mask
-    std::vector<double> residuals;      // per Voronoi edge
-    double threshold = 0;               // of residuals, in pixels of the mask; as asked for, or lowered (options.lower_threshold)
-    Mask voronoi_raster;                // edges over the threshold (or the other method's ridges), homotopic to the mask
-    Mask thinned;                       // after Zhang–Suen
-    Grid<std::uint16_t> thinned_in;     // the sub-iteration, 1, 2, …, that took a pixel of `voronoi_raster` away; 0: none did
-    Mask skeleton;                      // after removal of redundant pixels and cutting of cycles
+    std::vector<VoronoiEdge> voronoi; // all edges inside the mask
+    std::vector<double> residuals;    // per Voronoi edge
+    double threshold =
+        0; // of residuals, in pixels of the mask; as asked for, or lowered (options.lower_threshold)
+    Mask voronoi_raster; // edges over the threshold (or the other method's ridges), homotopic to the mask
+    Mask thinned;        // after Zhang–Suen
+    Grid<std::uint16_t>
+        thinned_in; // the sub-iteration, 1, 2, …, that took a pixel of `voronoi_raster` away; 0: none did
+    Mask skeleton;  // after removal of redundant pixels and cutting of cycles
     SkeletonGraph raw, after_h1, graph; // `graph`: after H1 and H2
 };
 
 // `labels`: working size, any sides; ≠ 0 is the silhouette, of which the largest component counts. The
 // skeleton is homotopic to the mask before cycles are cut, so it is connected. A silhouette with neither end
 // nor junction (a ring) gives a triangle. Throws CharacterRejected("skeletonize", …) when the silhouette is
-// empty, its borders have more than 100,000 points, or the skeleton shrinks to a single point after H1 and H2 (a disc, a head alone).
+// empty, its borders have more than 100,000 points, or the skeleton shrinks to a single point after H1 and H2
+// (a disc, a head alone).
 Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions& options = {});
 
 // The sub-steps, each usable alone.
 struct Thinning {
     Mask thinned;
-    Grid<std::uint16_t> removed_in; // sub-iteration, 1, 2, …; odd ones test C_c and C_d, even ones C_c' and C_d'; 0: kept, or background
+    Grid<std::uint16_t> removed_in; // sub-iteration, 1, 2, …; odd ones test C_c and C_d, even ones C_c' and
+                                    // C_d'; 0: kept, or background
 };
 Thinning zhang_suen_steps(const Mask& mask);        // Algorithm 4.1, with ERRATA 5
 Mask zhang_suen(const Mask& mask);                  // its result alone

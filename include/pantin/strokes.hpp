@@ -1,9 +1,12 @@
-// What a model is made of (Ma et al., RealSkel, 2021): the outlines of its parts in modelling order, and calls that change it.
+// What a model is made of (Ma et al., RealSkel, 2021): the outlines of its parts in modelling order, and
+// calls that change it.
 //
-// Strokes are drawn on one canvas, x to the right, y down, in any unit. The canvas shows the model from one of three sides; `origin`
-// is the point of the canvas where the model's origin is seen, from each side. The model's own frame is right-handed: x to the
-// right, y up, z towards whoever looks from the front. A canvas point (u, v), measured from the origin, at depth d lies at
-//   front: ( u, −v,  d)   seen from +z;   side: ( d, −v, −u)   seen from +x;   top: ( u, d, v)   seen from +y.
+// Strokes are drawn on one canvas, x to the right, y down, in any unit. The canvas shows the model from one
+// of three sides; `origin` is the point of the canvas where the model's origin is seen, from each side. The
+// model's own frame is right-handed: x to the right, y up, z towards whoever looks from the front. A canvas
+// point (u, v), measured from the origin, at depth d lies at
+//   front: ( u, −v,  d)   seen from +z;   side: ( d, −v, −u)   seen from +x;   top: ( u, d, v)   seen from
+//   +y.
 #pragma once
 
 #include <optional>
@@ -19,16 +22,21 @@
 namespace pantin {
 
 enum class Viewpoint { front, side, top };
-enum class Symmetry { none, x, y, z }; // normal of the plane through the model's origin in which a copy is mirrored
+enum class Symmetry {
+    none,
+    x,
+    y,
+    z
+}; // normal of the plane through the model's origin in which a copy is mirrored
 
 struct PartStroke {
-    std::string name;             // not empty, of one part only
-    std::vector<Point2d> stroke;  // canvas; closed on its own; at least three points
-    double depth = 0;             // canvas units, towards the viewer
+    std::string name;            // not empty, of one part only
+    std::vector<Point2d> stroke; // canvas; closed on its own; at least three points
+    double depth = 0;            // canvas units, towards the viewer
     Viewpoint view = Viewpoint::front;
     Symmetry symmetry = Symmetry::none;
-    std::string parent;           // a part that comes before; empty: found by intersection
-    double height = 1;            // thickness; a long part of height 1 is round
+    std::string parent;              // a part that comes before; empty: found by intersection
+    double height = 1;               // thickness; a long part of height 1 is round
     Label label = Label::background; // background: from the name
     std::optional<Rgb8> colour;
     bool operator==(const PartStroke&) const = default;
@@ -36,13 +44,14 @@ struct PartStroke {
 
 // --- calls -------------------------------------------------------------------------------------------------
 
-// In this order: scaled, then turned about the axis of the model's frame, both about the part's own centre, then moved.
+// In this order: scaled, then turned about the axis of the model's frame, both about the part's own centre,
+// then moved.
 struct MovePart {
     std::string part;
-    Vec3 translate;          // model's frame, canvas units
-    char axis = 'z';         // 'x', 'y' or 'z'
-    double degrees = 0;      // counter-clockwise seen from the axis' positive end
-    double scale = 1;        // > 0
+    Vec3 translate;     // model's frame, canvas units
+    char axis = 'z';    // 'x', 'y' or 'z'
+    double degrees = 0; // counter-clockwise seen from the axis' positive end
+    double scale = 1;   // > 0
     bool operator==(const MovePart&) const = default;
 };
 struct SetSymmetry {
@@ -50,8 +59,9 @@ struct SetSymmetry {
     Symmetry symmetry = Symmetry::none;
     bool operator==(const SetSymmetry&) const = default;
 };
-// Section 3.3. Without a part: the whole model; with a part and a branch ≥ 0: that branch alone, which knows `simplify` only. What is
-// not given stays. Shares of the part's diagonal (the diagonal of its stroke's bounding box).
+// Section 3.3. Without a part: the whole model; with a part and a branch ≥ 0: that branch alone, which knows
+// `simplify` only. What is not given stays. Shares of the part's diagonal (the diagonal of its stroke's
+// bounding box).
 struct RefineSkeleton {
     std::string part;
     int branch = -1;
@@ -62,7 +72,8 @@ struct RemovePart {
     std::string part;
     bool operator==(const RemovePart&) const = default;
 };
-using ModelCall = std::variant<PartStroke, MovePart, SetSymmetry, RefineSkeleton, RemovePart>; // PartStroke: adds the part
+using ModelCall =
+    std::variant<PartStroke, MovePart, SetSymmetry, RefineSkeleton, RemovePart>; // PartStroke: adds the part
 
 struct Strokes {
     Point2d origin;
@@ -75,8 +86,8 @@ Strokes strokes_from_json(const std::string& text, const std::string& file);
 std::string strokes_to_json(const Strokes& strokes);
 // The strokes with the calls of another text, {"calls": […]}, after their own.
 Strokes with_calls(Strokes strokes, const std::string& text, const std::string& file);
-// Every path, polygon, polyline, rect, circle and ellipse of an SVG is a part, in document order (docs/formats.md, "SVG strokes").
-// Error(input) names `file` and what is wrong.
+// Every path, polygon, polyline, rect, circle and ellipse of an SVG is a part, in document order
+// (docs/formats.md, "SVG strokes"). Error(input) names `file` and what is wrong.
 Strokes strokes_from_svg(const std::string& text, const std::string& file);
 
 // The label that a part's name asks for: "left_wing" wing, "ear" head, "body" body, "claw" limb.

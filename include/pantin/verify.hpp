@@ -1,12 +1,14 @@
-// Are the results on this machine those that were released? Every stage of the pipeline on three small drawings of our own, each
-// stage's output compared with the stored one to the last bit (docs/determinism.md, "pantin verify"); and two folders of results
-// compared with each other.
+// Are the results on this machine those that were released? Every stage of the pipeline on three small
+// drawings of our own, each stage's output compared with the stored one to the last bit (docs/determinism.md,
+// "pantin verify"); and two folders of results compared with each other.
 //
-// The stored outputs are the reference vectors (testdata/vectors/README.md): files in the formats of docs/formats.md, compiled in.
+// The stored outputs are the reference vectors (testdata/vectors/README.md): files in the formats of
+// docs/formats.md, compiled in.
 //
-// Every stage takes its input from the stored files, not from the stage before it. So a stage that differs is reported alone, and the
-// stages after it are still checked, each for itself. Nothing is lost: when every stage turns the stored input into the stored output,
-// the whole run does, since files keep every bit of what a stage hands on. `end_to_end` runs the chain instead.
+// Every stage takes its input from the stored files, not from the stage before it. So a stage that differs is
+// reported alone, and the stages after it are still checked, each for itself. Nothing is lost: when every
+// stage turns the stored input into the stored output, the whole run does, since files keep every bit of what
+// a stage hands on. `end_to_end` runs the chain instead.
 #pragma once
 
 #include <cstddef>
@@ -28,19 +30,22 @@ using Files = std::map<std::string, std::string>;
 
 // --- differences -------------------------------------------------------------------------------------------
 
-// How one file differs from another of its name. JSON, GLB (its accessors' values, its picture), text and pixels are compared as
-// values, whatever the encoding; any other file as bytes.
+// How one file differs from another of its name. JSON, GLB (its accessors' values, its picture), text and
+// pixels are compared as values, whatever the encoding; any other file as bytes.
 struct FileDifference {
     std::string file;
-    std::string place;         // of the first value that differs: "vertices[3].x", "pixel (4, 17), green", "line 12, word 3"
+    std::string
+        place; // of the first value that differs: "vertices[3].x", "pixel (4, 17), green", "line 12, word 3"
     std::string first, second; // the two values there, or two facts: "12 elements", "missing"
     std::size_t values = 0;    // that differ, as far as the two have the same structure
     double largest = 0;        // difference of two numbers; 0 when none of those that differ are numbers
     std::string largest_place;
-    std::optional<RgbImage> picture; // of pictures and films: the first one in light grey, pixels that differ in red
+    std::optional<RgbImage>
+        picture; // of pictures and films: the first one in light grey, pixels that differ in red
 };
 // None when all values are equal. Error(input) when one of them is damaged.
-std::optional<FileDifference> compare_files(const std::string& name, const std::string& first, const std::string& second);
+std::optional<FileDifference> compare_files(const std::string& name, const std::string& first,
+                                            const std::string& second);
 
 struct StageDifferences {
     std::string stage;
@@ -62,23 +67,26 @@ struct VerificationSettings {
 
 struct Verification {
     std::vector<std::string> drawings, stages; // columns and rows of the table, in the order of the flow
-    std::vector<StageDifferences> results;     // of each stage on each drawing that it is for; `files` is empty where all agree
-    Files outputs;                             // `<drawing>/<file>`: the inputs, and what the stages made
-    std::string digest;                        // of the values of all outputs: equal where the results are
+    std::vector<StageDifferences>
+        results;        // of each stage on each drawing that it is for; `files` is empty where all agree
+    Files outputs;      // `<drawing>/<file>`: the inputs, and what the stages made
+    std::string digest; // of the values of all outputs: equal where the results are
     // The first one that differs, none when all agree.
     const StageDifferences* first_difference() const;
 };
-// Writes nothing. A stage that throws differs by its message. In a FileDifference the stored value is the first one.
+// Writes nothing. A stage that throws differs by its message. In a FileDifference the stored value is the
+// first one.
 Verification verify(const VerificationSettings& settings = {});
 
-// Rows stages, columns drawings, "ok" or "DIFFERS"; below it a line for each file that differs; last the digest.
+// Rows stages, columns drawings, "ok" or "DIFFERS"; below it a line for each file that differs; last the
+// digest.
 std::string verification_table(const Verification& verification);
 
 // --- two folders -------------------------------------------------------------------------------------------
 
 // Output folders of `verify`, of `animate` or of any step, made on two machines or by two versions.
 struct FolderComparison {
-    int files = 0;                          // that at least one of the two has
+    int files = 0;                        // that at least one of the two has
     std::vector<StageDifferences> stages; // in the order of the flow, those with differences only
 };
 // Error(input) when one of them is no folder or has no files, or a file is damaged.

@@ -29,7 +29,8 @@ constexpr std::array<ChannelName, 6> channel_names = {{{"Xposition", Channel::x_
 
 bool same_letters(std::string_view a, std::string_view b) {
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [&](char x, char y) { return lower(x) == lower(y); });
 }
 
 class Parser {
@@ -48,7 +49,8 @@ public:
         expect("Frame");
         expect("Time:");
         motion_.frame_time = number("the time of a frame");
-        if (!(motion_.frame_time > 1e-4 && motion_.frame_time <= 10)) fail("a frame must take 0.0001 to 10 seconds");
+        if (!(motion_.frame_time > 1e-4 && motion_.frame_time <= 10))
+            fail("a frame must take 0.0001 to 10 seconds");
         if (motion_.channels == 0) fail("no joint has a channel");
         const auto count = static_cast<std::size_t>(frames) * motion_.channels;
         if (count > text_.size()) fail("the file is too short for its frames");
@@ -60,7 +62,8 @@ public:
 
 private:
     [[noreturn]] void fail(const std::string& fact) const {
-        const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(begin_), '\n');
+        const auto line =
+            1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(begin_), '\n');
         throw Error(ErrorKind::input, file_ + ": line " + std::to_string(line) + ": " + fact);
     }
 
@@ -89,7 +92,8 @@ private:
         const char *first = word.data(), *last = first + word.size();
         if (!word.empty() && *first == '+') ++first;
         const auto result = std::from_chars(first, last, value);
-        if (word.empty() || result.ec != std::errc() || result.ptr != last || !std::isfinite(value) || std::abs(value) > 1e9)
+        if (word.empty() || result.ec != std::errc() || result.ptr != last || !std::isfinite(value) ||
+            std::abs(value) > 1e9)
             fail(what + " is expected, not '" + std::string(word.substr(0, 40)) + "'");
         begin_ += word.size();
         return value;
@@ -118,7 +122,8 @@ private:
 
     // From the opening brace to the channels.
     void open(int parent, const std::string& name) {
-        if (motion_.joints.size() >= most_joints) fail("more than " + std::to_string(most_joints) + " joints");
+        if (motion_.joints.size() >= most_joints)
+            fail("more than " + std::to_string(most_joints) + " joints");
         expect("{");
         MotionJoint joint;
         joint.name = name;
@@ -162,22 +167,26 @@ double degrees(double radians) { return radians * (180 / math::pi); }
 
 // Angles of R = Rz · Rx · Ry.
 Vec3 zxy_angles(const Matrix3& m) {
-    const double sine = std::clamp(m.rows[2].y, -1.0, 1.0), cosine = std::sqrt(std::max(0.0, 1 - sine * sine));
+    const double sine = std::clamp(m.rows[2].y, -1.0, 1.0),
+                 cosine = std::sqrt(std::max(0.0, 1 - sine * sine));
     const double x = math::atan2(sine, cosine);
     if (cosine < 1e-9) return {degrees(x), 0, degrees(math::atan2(m.rows[1].x, m.rows[0].x))};
-    return {degrees(x), degrees(math::atan2(-m.rows[2].x, m.rows[2].z)), degrees(math::atan2(-m.rows[0].y, m.rows[1].y))};
+    return {degrees(x), degrees(math::atan2(-m.rows[2].x, m.rows[2].z)),
+            degrees(math::atan2(-m.rows[0].y, m.rows[1].y))};
 }
 
 class Writer {
 public:
-    Writer(const Rig& rig, const BoneAnimation& animation) : rig_(rig), animation_(animation), children_(rig.bones.size()) {
+    Writer(const Rig& rig, const BoneAnimation& animation)
+        : rig_(rig), animation_(animation), children_(rig.bones.size()) {
         for (std::size_t b = 1; b < rig.bones.size(); ++b)
             children_[static_cast<std::size_t>(rig.bones[b].parent)].push_back(static_cast<int>(b));
     }
     std::string write() {
         text_ = "HIERARCHY\n";
         bone(0, 0);
-        const std::size_t frames = std::max<std::size_t>(1, animation_.times.size() - 1); // the last pose is the first
+        const std::size_t frames =
+            std::max<std::size_t>(1, animation_.times.size() - 1); // the last pose is the first
         const double time = animation_.duration / static_cast<double>(frames);
         text_ += "MOTION\nFrames: " + std::to_string(frames) + "\nFrame Time: " + to_decimal(time) + "\n";
         for (std::size_t i = 0; i < frames; ++i) frame(i);
@@ -186,12 +195,15 @@ public:
 
 private:
     Vec3 place(Point2d p) const { return written_height * to_world(p, rig_.width, rig_.height); }
-    std::string triple(Vec3 v) const { return to_decimal(v.x) + " " + to_decimal(v.y) + " " + to_decimal(v.z); }
+    std::string triple(Vec3 v) const {
+        return to_decimal(v.x) + " " + to_decimal(v.y) + " " + to_decimal(v.z);
+    }
 
     void bone(int index, int depth) {
         const Bone& b = rig_.bones[static_cast<std::size_t>(index)];
         const std::string tabs(static_cast<std::size_t>(depth), '\t');
-        const Vec3 head = place(b.head), from = b.parent < 0 ? Vec3{} : place(rig_.bones[static_cast<std::size_t>(b.parent)].head);
+        const Vec3 head = place(b.head),
+                   from = b.parent < 0 ? Vec3{} : place(rig_.bones[static_cast<std::size_t>(b.parent)].head);
         text_ += tabs + (depth == 0 ? "ROOT " : "JOINT ") + b.name + "\n" + tabs + "{\n";
         text_ += tabs + "\tOFFSET " + triple(head - from) + "\n" + tabs + "\tCHANNELS ";
         text_ += depth == 0 ? "6 Xposition Yposition Zposition " : "3 ";
@@ -200,7 +212,8 @@ private:
         const auto& children = children_[static_cast<std::size_t>(index)];
         for (const int child : children) bone(child, depth + 1);
         if (children.empty())
-            text_ += tabs + "\tEnd Site\n" + tabs + "\t{\n" + tabs + "\t\tOFFSET " + triple(place(b.tail) - head) + "\n" + tabs + "\t}\n";
+            text_ += tabs + "\tEnd Site\n" + tabs + "\t{\n" + tabs + "\t\tOFFSET " +
+                     triple(place(b.tail) - head) + "\n" + tabs + "\t}\n";
         text_ += tabs + "}\n";
     }
     void frame(std::size_t i) {

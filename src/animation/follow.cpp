@@ -1,8 +1,8 @@
 // This work is based on:
-// H. J. Smith et al., A Method for Animating Children's Drawings of the Human Figure, 2023, section 3.4: limbs take the
-// directions of the motion, each projected on the plane in which it moves most. Differences: the plane is the frontal or
-// the sagittal one by the variance of the limb's tip (not by principal components of its joints), and the performer is
-// turned to the front all the time.
+// H. J. Smith et al., A Method for Animating Children's Drawings of the Human Figure, 2023, section 3.4:
+// limbs take the directions of the motion, each projected on the plane in which it moves most. Differences:
+// the plane is the frontal or the sagittal one by the variance of the limb's tip (not by principal components
+// of its joints), and the performer is turned to the front all the time.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,16 +15,18 @@
 namespace pantin {
 namespace {
 
-constexpr double rate = 30;              // key poses per second
-constexpr double facing_seconds = 0.5;   // window over which the performer's facing is averaged
-constexpr double still = 1e-3;           // variance of a limb's way, of its squared length
-constexpr double least_projection = 0.2; // of a limb's length: shorter ones have no direction, the last one stays
+constexpr double rate = 30;            // key poses per second
+constexpr double facing_seconds = 0.5; // window over which the performer's facing is averaged
+constexpr double still = 1e-3;         // variance of a limb's way, of its squared length
+constexpr double least_projection =
+    0.2; // of a limb's length: shorter ones have no direction, the last one stays
 
 double norm(Vec3 v) { return std::sqrt(dot(v, v)); }
 Vec3 unit(Vec3 v, Vec3 otherwise) { return norm(v) > 1e-12 ? (1 / norm(v)) * v : otherwise; }
 
-// The joints' places, in the performer's own directions: x to its left (the right of the picture), y up, z forwards. The
-// hips are the origin; `travelled` is their way from the start along x and z, and their height above the ground.
+// The joints' places, in the performer's own directions: x to its left (the right of the picture), y up, z
+// forwards. The hips are the origin; `travelled` is their way from the start along x and z, and their height
+// above the ground.
 struct Pose {
     std::vector<Vec3> joints;
     Vec3 travelled;
@@ -76,15 +78,16 @@ private:
         Vec3 sum;
         for (std::size_t i = 0; i < frames_.size(); ++i)
             sum = sum + shoulders(i) - 0.5 * (at(i, joints_.left.foot) + at(i, joints_.right.foot));
-        up_ = std::abs(sum.z) > std::abs(sum.y) ? Vec3{0, 0, sum.z > 0 ? 1.0 : -1.0} : Vec3{0, sum.y > 0 ? 1.0 : -1.0, 0};
+        up_ = std::abs(sum.z) > std::abs(sum.y) ? Vec3{0, 0, sum.z > 0 ? 1.0 : -1.0}
+                                                : Vec3{0, sum.y > 0 ? 1.0 : -1.0, 0};
     }
 
     // Where the performer's left is, on the ground.
     void find_facing() {
         std::vector<Vec3> sides;
         for (std::size_t i = 0; i < frames_.size(); ++i) {
-            const Vec3 side = at(i, joints_.left.upper_arm) - at(i, joints_.right.upper_arm) + at(i, joints_.left.thigh) -
-                              at(i, joints_.right.thigh);
+            const Vec3 side = at(i, joints_.left.upper_arm) - at(i, joints_.right.upper_arm) +
+                              at(i, joints_.left.thigh) - at(i, joints_.right.thigh);
             sides.push_back(side - dot(side, up_) * up_);
         }
         const auto reach = static_cast<std::ptrdiff_t>(facing_seconds * rate / 2);
@@ -104,8 +107,10 @@ private:
         leg_length_ = std::max(1e-9, 0.5 * (length(joints_.left) + length(joints_.right)));
         ground_ = dot(at(0, joints_.left.foot), up_);
         for (std::size_t i = 0; i < frames_.size(); ++i)
-            for (const int foot : {joints_.left.foot, joints_.right.foot}) ground_ = std::min(ground_, dot(at(i, foot), up_));
-        const double below = dot(at(0, joints_.hips) - 0.5 * (at(0, joints_.left.thigh) + at(0, joints_.right.thigh)), up_);
+            for (const int foot : {joints_.left.foot, joints_.right.foot})
+                ground_ = std::min(ground_, dot(at(i, foot), up_));
+        const double below =
+            dot(at(0, joints_.hips) - 0.5 * (at(0, joints_.left.thigh) + at(0, joints_.right.thigh)), up_);
         standing_height_ = leg_length_ + below;
     }
 
@@ -135,7 +140,8 @@ private:
 // Seen from the side, forwards is to the right of the picture.
 Point2d seen(Vec3 v, bool from_the_side) { return {from_the_side ? v.z : v.x, v.y}; }
 
-// True when the way from `a` to `b` varies more forwards than sideways; a limb that is still is seen from the front.
+// True when the way from `a` to `b` varies more forwards than sideways; a limb that is still is seen from the
+// front.
 bool moves_forwards(const std::vector<Pose>& poses, int a, int b) {
     Vec3 mean, squares;
     double squared_length = 0;
@@ -167,12 +173,15 @@ double nearest_turn(double angle, double near) {
     return angle + 2 * math::pi * std::rint((near - angle) / (2 * math::pi));
 }
 
-double rest_angle(const Bone& bone) { return math::atan2(bone.head.y - bone.tail.y, bone.tail.x - bone.head.x); }
+double rest_angle(const Bone& bone) {
+    return math::atan2(bone.head.y - bone.tail.y, bone.tail.x - bone.head.x);
+}
 
 // What every bone does: its turn against the drawing, in the picture's plane, one a pose.
 class Follower {
 public:
-    Follower(const Rig& rig, const ReferenceSkeleton& reference, const Performance& performance, const MotionJoints& joints)
+    Follower(const Rig& rig, const ReferenceSkeleton& reference, const Performance& performance,
+             const MotionJoints& joints)
         : rig_(rig), reference_(reference), poses_(performance.poses()), joints_(joints) {
         turns_.assign(rig.bones.size(), std::vector<double>(poses_.size()));
         const int neck = performance.neck();
@@ -187,14 +196,16 @@ public:
     // Against the parent bone.
     Quaternion rotation(std::size_t bone, std::size_t pose) const {
         const int parent = rig_.bones[bone].parent;
-        const double angle = turns_[bone][pose] - (parent >= 0 ? turns_[static_cast<std::size_t>(parent)][pose] : 0);
+        const double angle =
+            turns_[bone][pose] - (parent >= 0 ? turns_[static_cast<std::size_t>(parent)][pose] : 0);
         return {0, 0, math::sin(angle / 2), math::cos(angle / 2)};
     }
 
 private:
     void drive(std::size_t b) {
         const Bone& bone = rig_.bones[b];
-        const std::string name = bone.reference_joint >= 0 ? reference_.joints[bone.reference_joint].name : "";
+        const std::string name =
+            bone.reference_joint >= 0 ? reference_.joints[bone.reference_joint].name : "";
         const bool arm = name.starts_with("arm"), leg = name.starts_with("leg");
         if (arm || leg) {
             const MotionJoints::Side& side = shown_left(bone, name) ? joints_.right : joints_.left;
@@ -218,7 +229,8 @@ private:
         });
         const auto from = static_cast<std::size_t>(bone.segment);
         const int to = alone && bone.segment == 0 ? chain[2] : chain[from + 1];
-        turn_to(b, angles_of(poses_, chain[from], to, moves_forwards(poses_, chain[0], chain[2])), rest_angle(bone));
+        turn_to(b, angles_of(poses_, chain[from], to, moves_forwards(poses_, chain[0], chain[2])),
+                rest_angle(bone));
     }
 
     // Body and head keep the way they are drawn and lean as the performer does against the vertical.
@@ -250,7 +262,8 @@ double drawn_leg_length(const Rig& rig, const ReferenceSkeleton& reference) {
     double sum = 0;
     int legs = 0;
     for (const Bone& bone : rig.bones) {
-        if (bone.reference_joint < 0 || !reference.joints[bone.reference_joint].name.starts_with("leg")) continue;
+        if (bone.reference_joint < 0 || !reference.joints[bone.reference_joint].name.starts_with("leg"))
+            continue;
         sum += distance(bone.head, bone.tail) / rig.height;
         legs += bone.segment == 0;
     }
@@ -259,10 +272,12 @@ double drawn_leg_length(const Rig& rig, const ReferenceSkeleton& reference) {
 
 } // namespace
 
-bool shown_left(const Bone& bone, const std::string& joint) { return joint.ends_with("left") != bone.mirrored; }
+bool shown_left(const Bone& bone, const std::string& joint) {
+    return joint.ends_with("left") != bone.mirrored;
+}
 
-BoneAnimation follow(const Rig& rig, const ReferenceSkeleton& reference, const Motion& motion, const MotionJoints& joints,
-                     double start, double seconds) {
+BoneAnimation follow(const Rig& rig, const ReferenceSkeleton& reference, const Motion& motion,
+                     const MotionJoints& joints, double start, double seconds) {
     const Performance performance(motion, joints, start, seconds);
     const std::vector<Pose>& poses = performance.poses();
     const Follower follower(rig, reference, performance, joints);
@@ -273,7 +288,8 @@ BoneAnimation follow(const Rig& rig, const ReferenceSkeleton& reference, const M
     animation.rotations.resize(rig.bones.size());
     for (std::size_t i = 0; i < poses.size(); ++i) {
         animation.times.push_back(static_cast<double>(i) / rate);
-        for (std::size_t b = 0; b < rig.bones.size(); ++b) animation.rotations[b].push_back(follower.rotation(b, i));
+        for (std::size_t b = 0; b < rig.bones.size(); ++b)
+            animation.rotations[b].push_back(follower.rotation(b, i));
         const Vec3 way = poses[i].travelled;
         animation.root_translation.push_back(
             {scale * (walks_forwards ? way.z : way.x), scale * (way.y - performance.standing_height()), 0});

@@ -11,15 +11,18 @@
 namespace pantin {
 namespace {
 
-constexpr double clearly_bent = 4 * math::pi / 180; // a drawn bend of this much decides to which side the knee bends
-constexpr double loaded = 0.12;        // cycles before contact and after lift-off in which a leg starts to carry the body
-constexpr double deepest = 0.1;        // of the leg's length: so far the hip may come down for it
-constexpr double hardly = 0.5;         // of the median leg's stride
-constexpr double least_lift = 0.03;    // of the crop's height, but at most…
-constexpr double most_lift = 0.35;     // … this share of the leg's length: feet of short legs shall be seen to leave the ground
-constexpr double slack = 0.01;         // a stepping leg keeps this share of its length, so that the knee never snaps
+constexpr double clearly_bent =
+    4 * math::pi / 180; // a drawn bend of this much decides to which side the knee bends
+constexpr double loaded =
+    0.12; // cycles before contact and after lift-off in which a leg starts to carry the body
+constexpr double deepest = 0.1;     // of the leg's length: so far the hip may come down for it
+constexpr double hardly = 0.5;      // of the median leg's stride
+constexpr double least_lift = 0.03; // of the crop's height, but at most…
+constexpr double most_lift =
+    0.35; // … this share of the leg's length: feet of short legs shall be seen to leave the ground
+constexpr double slack = 0.01; // a stepping leg keeps this share of its length, so that the knee never snaps
 constexpr double steepest = 75 * math::pi / 180; // of a stiff leg against the drawing
-constexpr double airborne = 0.15;      // of the leg's length: so high, a planted leg is free
+constexpr double airborne = 0.15;                // of the leg's length: so high, a planted leg is free
 
 Point2d turned(Point2d v, double angle) {
     const double c = math::cos(angle), s = math::sin(angle);
@@ -37,8 +40,9 @@ double arc_cosine(double c) {
 
 double fraction(double x) { return x - std::floor(x); }
 
-// From the foot's place at rest: along the stride, −1 to 1 and a little beyond, and up, 0 to 1. u: cycles since contact.
-// The foot leaves the ground and meets it with the ground's speed (a cubic of Hermite), so it does not scrape.
+// From the foot's place at rest: along the stride, −1 to 1 and a little beyond, and up, 0 to 1. u: cycles
+// since contact. The foot leaves the ground and meets it with the ground's speed (a cubic of Hermite), so it
+// does not scrape.
 Point2d step_at(double u, double duty) {
     if (u < duty) return {1 - 2 * u / duty, 0};
     const double v = (u - duty) / (1 - duty), s = math::sin(math::pi * v), slope = -2 * (1 - duty) / duty;
@@ -62,7 +66,9 @@ void turn_stiff_leg(Point2d foot, Point2d along, Point2d way, double& turn, doub
     flap += tilt;
 }
 
-bool follows(const VertexWeights& weights, int bone) { return weights.bones[0] == bone && weights.weights[0] > 0.5; }
+bool follows(const VertexWeights& weights, int bone) {
+    return weights.bones[0] == bone && weights.weights[0] > 0.5;
+}
 
 } // namespace
 
@@ -78,8 +84,7 @@ int foot_vertex(const Rig& rig, int bone) {
     return foot;
 }
 
-Footing::Footing(const Rig& rig, const ReferenceClip& clip, const std::vector<double>& shift)
-    : rig_(rig) {
+Footing::Footing(const Rig& rig, const ReferenceClip& clip, const std::vector<double>& shift) : rig_(rig) {
     for (std::size_t b = 1; b < rig.bones.size(); ++b)
         for (const ReferenceTrack& track : clip.tracks)
             if (on_ground(track) && rig.bones[b].segment == 0 && rig.bones[b].reference_joint == track.joint)
@@ -123,8 +128,9 @@ double Footing::longest_stride(const Leg& leg) const {
     return std::max(0.0, across - std::abs(leg.hip.x - leg.foot.x));
 }
 
-// All feet go over one ground: the stride is the shortest of those that suit the legs, each by its length, its shape and the
-// place where it is drawn. A leg that could hardly step, against the median, is left to slide.
+// All feet go over one ground: the stride is the shortest of those that suit the legs, each by its length,
+// its shape and the place where it is drawn. A leg that could hardly step, against the median, is left to
+// slide.
 void Footing::share_stride(double duration) {
     std::vector<double> strides;
     for (const Leg& leg : legs_) {
@@ -169,7 +175,8 @@ double Footing::sink(const Leg& leg, Point2d hip, double cycle) const {
 
 // way: from the hip to the foot's place, as the parent bone sees it.
 void Footing::reach_for(const Leg& leg, Point2d way, std::vector<double>& turns, std::vector<double>& flaps) {
-    if (leg.lower < 0) return turn_stiff_leg(leg.foot - leg.hip, leg.along, way, turns[leg.upper], flaps[leg.upper]);
+    if (leg.lower < 0)
+        return turn_stiff_leg(leg.foot - leg.hip, leg.along, way, turns[leg.upper], flaps[leg.upper]);
     const double a = leg.thigh, b = leg.shin;
     const double d = std::clamp(length(way), 1.02 * std::abs(a - b) + 1e-9, a + b);
     const double knee = leg.bend_side * (math::pi - arc_cosine((a * a + b * b - d * d) / (2 * a * b)));

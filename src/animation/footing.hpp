@@ -7,19 +7,23 @@
 
 namespace pantin {
 
-// The mesh vertex that stands on the ground: the lowest one of those that follow the bone and lie beyond its middle; −1: none.
+// The mesh vertex that stands on the ground: the lowest one of those that follow the bone and lie beyond its
+// middle; −1: none.
 int foot_vertex(const Rig& rig, int bone);
 
-// A step cycle, measured from the contact of the foot. On the ground the foot moves back evenly, as the ground does under a
-// character that stays in its place; then it is lifted and brought forward. Two bones reach the foot by the law of cosines,
-// a stiff leg by turning towards the viewer, which shortens it in the picture; the root sinks as far as the legs on the ground need to reach it, which makes the body vault over the standing leg.
+// A step cycle, measured from the contact of the foot. On the ground the foot moves back evenly, as the
+// ground does under a character that stays in its place; then it is lifted and brought forward. Two bones
+// reach the foot by the law of cosines, a stiff leg by turning towards the viewer, which shortens it in the
+// picture; the root sinks as far as the legs on the ground need to reach it, which makes the body vault over
+// the standing leg.
 class Footing {
 public:
     // `shift`: of each bone's phase, in cycles.
     Footing(const Rig& rig, const ReferenceClip& clip, const std::vector<double>& shift);
 
-    // turns: of each bone against its parent in the drawing's plane, radians, counter-clockwise; those of legs are replaced.
-    // flaps: out of the plane, added to. root: its translation in world units; lowered where legs step.
+    // turns: of each bone against its parent in the drawing's plane, radians, counter-clockwise; those of
+    // legs are replaced. flaps: out of the plane, added to. root: its translation in world units; lowered
+    // where legs step.
     void apply(double cycle, std::vector<double>& turns, std::vector<double>& flaps, Vec3& root) const;
 
     // Way of the ground in world units a second, negative to the left; 0 for a clip without steps.
@@ -50,7 +54,8 @@ private:
     void share_stride(double duration);
     std::vector<Joint> joints_of(const std::vector<double>& turns, const Vec3& root) const;
     double sink(const Leg& leg, Point2d hip, double cycle) const;
-    static void reach_for(const Leg& leg, Point2d way, std::vector<double>& turns, std::vector<double>& flaps);
+    static void reach_for(const Leg& leg, Point2d way, std::vector<double>& turns,
+                          std::vector<double>& flaps);
 
     const Rig& rig_;
     std::vector<Leg> legs_;

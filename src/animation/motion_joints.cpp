@@ -36,7 +36,8 @@ std::vector<std::string> words_of(const std::string& name) {
             continue;
         }
         const bool after_lower = i > 0 && is_lower(text[i - 1]);
-        const bool before_lower = i + 1 < text.size() && is_lower(text[i + 1]) && i > 0 && is_upper(text[i - 1]);
+        const bool before_lower =
+            i + 1 < text.size() && is_lower(text[i + 1]) && i > 0 && is_upper(text[i - 1]);
         if (is_upper(c) && (after_lower || before_lower)) end_word();
         word += static_cast<char>(is_upper(c) ? c - 'A' + 'a' : c);
     }
@@ -45,10 +46,12 @@ std::vector<std::string> words_of(const std::string& name) {
 }
 
 SimpleName simplified(const std::string& name) {
-    static const std::initializer_list<std::string> prefixes = {"mixamorig", "bip", "j", "def", "org", "jnt", "valvebiped", "bone", "c"};
+    static const std::initializer_list<std::string> prefixes = {
+        "mixamorig", "bip", "j", "def", "org", "jnt", "valvebiped", "bone", "c"};
     SimpleName result;
     for (std::string word : words_of(name)) {
-        for (const auto& [text, side] : {std::pair<std::string, BodySide>{"left", BodySide::left}, {"right", BodySide::right}})
+        for (const auto& [text, side] :
+             {std::pair<std::string, BodySide>{"left", BodySide::left}, {"right", BodySide::right}})
             if (word.starts_with(text)) {
                 result.side = side;
                 word = word.substr(text.size());
@@ -111,7 +114,8 @@ private:
         };
         // A skeleton with an "arm" calls its collar bone "shoulder"; one with an elbow joint, its upper arm.
         MotionJoints::Side s;
-        s.upper_arm = wanted("upper arm", {"arm", "upperarm", "uparm", "shldr", "humerus", "shoulder", "shoulderjoint"});
+        s.upper_arm = wanted("upper arm",
+                             {"arm", "upperarm", "uparm", "shldr", "humerus", "shoulder", "shoulderjoint"});
         s.forearm = wanted("forearm", {"forearm", "lowerarm", "lowarm", "elbow", "radius", "elbowjoint"});
         s.thigh = wanted("thigh", {"upleg", "upperleg", "thigh", "femur", "hip", "hipjoint"});
         s.shin = wanted("shin", {"lowerleg", "lowleg", "shin", "calf", "knee", "tibia", "kneejoint", "leg"});
@@ -131,20 +135,25 @@ private:
 
 } // namespace
 
-MotionJoints match_joints(const Motion& motion, const std::string& file) { return Matcher(motion, file).match(); }
+MotionJoints match_joints(const Motion& motion, const std::string& file) {
+    return Matcher(motion, file).match();
+}
 
-std::vector<std::pair<std::string, std::string>> match_table(const Motion& motion, const MotionJoints& joints) {
+std::vector<std::pair<std::string, std::string>> match_table(const Motion& motion,
+                                                             const MotionJoints& joints) {
     std::vector<std::pair<std::string, std::string>> table;
     const auto add = [&](const std::string& part, int joint) {
         if (joint < 0) return;
         const MotionJoint& j = motion.joints[static_cast<std::size_t>(joint)];
-        const std::string end = j.parent >= 0 ? motion.joints[static_cast<std::size_t>(j.parent)].name + " (its end)" : "";
+        const std::string end =
+            j.parent >= 0 ? motion.joints[static_cast<std::size_t>(j.parent)].name + " (its end)" : "";
         table.emplace_back(part, j.name.empty() ? end : j.name);
     };
     add("hips", joints.hips);
     add("neck", joints.neck);
     add("head", joints.head);
-    for (const auto& [side, name] : {std::pair{joints.left, std::string("left ")}, {joints.right, std::string("right ")}}) {
+    for (const auto& [side, name] :
+         {std::pair{joints.left, std::string("left ")}, {joints.right, std::string("right ")}}) {
         add(name + "upper arm", side.upper_arm);
         add(name + "forearm", side.forearm);
         add(name + "hand", side.hand);

@@ -7,7 +7,8 @@ std::vector<Vec3> vertex_normals(const Mesh& mesh, const std::vector<Vec3>& vert
     for (const std::vector<int>& face : mesh.faces)
         for (std::size_t i = 1; i + 1 < face.size(); ++i) {
             const int a = face[0], b = face[i + 1], c = face[i]; // faces run clockwise seen from outside
-            const Vec3 normal = cross(vertices[b] - vertices[a], vertices[c] - vertices[a]); // twice the area long
+            const Vec3 normal =
+                cross(vertices[b] - vertices[a], vertices[c] - vertices[a]); // twice the area long
             for (const int corner : {a, b, c}) normals[corner] = normals[corner] + normal;
         }
     for (Vec3& normal : normals) {

@@ -18,9 +18,9 @@
 namespace pantin {
 namespace {
 
-constexpr std::int64_t subsamples = 256; // fixed-point units per sample
-constexpr int band_rows = 32;            // pixel rows that are drawn at a time
-constexpr double camera_distance = 2.5;  // of the perspective camera, in longer sides of the view
+constexpr std::int64_t subsamples = 256;  // fixed-point units per sample
+constexpr int band_rows = 32;             // pixel rows that are drawn at a time
+constexpr double camera_distance = 2.5;   // of the perspective camera, in longer sides of the view
 constexpr Vec3 to_light{-0.4, 0.5, 0.77}; // of solids; about a unit vector
 constexpr double ambient = 0.5;           // brightness of what the light does not reach
 
@@ -102,8 +102,8 @@ RgbaImage halved(const RgbaImage& image) {
     return half;
 }
 
-// The texture, bilinear; weights are whole 256ths, so the arithmetic is exact. Two channels share a 64-bit number:
-// none of their sums (at most 255 · 2^16 + 2^15) reaches the other.
+// The texture, bilinear; weights are whole 256ths, so the arithmetic is exact. Two channels share a 64-bit
+// number: none of their sums (at most 255 · 2^16 + 2^15) reaches the other.
 class Sampler {
 public:
     explicit Sampler(const RgbaImage& image) : texels_(image.width(), image.height()) {
@@ -121,7 +121,8 @@ public:
         const int x0 = fx >> 8, y0 = fy >> 8, x1 = std::min(x0 + 1, texels_.width() - 1);
         const auto tx = static_cast<std::uint64_t>(fx & 255), ty = static_cast<std::uint64_t>(fy & 255);
         const Texel *top = texels_.row(y0), *bottom = texels_.row(std::min(y0 + 1, texels_.height() - 1));
-        const std::uint64_t a = (256 - tx) * (256 - ty), b = tx * (256 - ty), c = (256 - tx) * ty, d = tx * ty;
+        const std::uint64_t a = (256 - tx) * (256 - ty), b = tx * (256 - ty), c = (256 - tx) * ty,
+                            d = tx * ty;
         const auto mix = [&](std::uint64_t Texel::*channels) {
             constexpr std::uint64_t half = 32768;
             return a * (top[x0].*channels) + b * (top[x1].*channels) + c * (bottom[x0].*channels) +
@@ -144,7 +145,8 @@ private:
 class Rasteriser {
 public:
     Rasteriser(int width, int rows)
-        : colour_(width, rows), depth_(width, rows, farthest), drawn_(static_cast<std::size_t>(rows), {width, 0}) {}
+        : colour_(width, rows), depth_(width, rows, farthest),
+          drawn_(static_cast<std::size_t>(rows), {width, 0}) {}
 
     // From here on, samples of the rows from `row` on are drawn.
     void begin_band(int row) {
@@ -171,7 +173,8 @@ public:
             area = -area;
         }
         const std::array<Edge, 3> edges = {Edge(b, c), Edge(c, a), Edge(a, b)};
-        const Span columns = sample_range(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), 0, colour_.width());
+        const Span columns =
+            sample_range(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), 0, colour_.width());
         const double inverse = 1.0 / static_cast<double>(area);
         for (int y = rows.begin; y < rows.end; ++y) {
             Span span = columns;
@@ -181,11 +184,13 @@ public:
             drawn = {std::min(drawn.begin, span.begin), std::max(drawn.end, span.end)};
             std::int64_t e0 = edges[0].at(span.begin, y), e1 = edges[1].at(span.begin, y);
             for (int x = span.begin; x < span.end; ++x, e0 += edges[0].step(), e1 += edges[1].step())
-                shade(x, y - first_row_, a, b, c, static_cast<double>(e0) * inverse, static_cast<double>(e1) * inverse, sampler);
+                shade(x, y - first_row_, a, b, c, static_cast<double>(e0) * inverse,
+                      static_cast<double>(e1) * inverse, sampler);
         }
     }
 
-    // Mean of the samples of each pixel over the background, straight alpha, to the rows of the image that the band covers.
+    // Mean of the samples of each pixel over the background, straight alpha, to the rows of the image that
+    // the band covers.
     void resolve(RgbaImage& image, int supersampling, Rgba8 background) const {
         const int first = first_row_ / supersampling;
         const int rows = std::min(colour_.height() / supersampling, image.height() - first);
@@ -226,17 +231,20 @@ private:
         void clip(Span& span, int row) const {
             const std::int64_t first = at(0, row) + bias;
             if (step() > 0) // first + x · step ≥ 0
-                span.begin = static_cast<int>(std::max<std::int64_t>(span.begin, -math::floor_divide(first, step())));
+                span.begin =
+                    static_cast<int>(std::max<std::int64_t>(span.begin, -math::floor_divide(first, step())));
             else if (step() < 0)
-                span.end = static_cast<int>(std::min<std::int64_t>(span.end, math::floor_divide(first, -step()) + 1));
+                span.end = static_cast<int>(
+                    std::min<std::int64_t>(span.end, math::floor_divide(first, -step()) + 1));
             else if (first < 0)
                 span.end = span.begin;
         }
     };
 
     static Span sample_range(std::int64_t low, std::int64_t high, int begin, int end) {
-        return {static_cast<int>(std::clamp<std::int64_t>(math::floor_divide(low, subsamples), begin, end)),
-                static_cast<int>(std::clamp<std::int64_t>(math::floor_divide(high, subsamples) + 1, begin, end))};
+        return {
+            static_cast<int>(std::clamp<std::int64_t>(math::floor_divide(low, subsamples), begin, end)),
+            static_cast<int>(std::clamp<std::int64_t>(math::floor_divide(high, subsamples) + 1, begin, end))};
     }
 
     void shade(int x, int y, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, double p,
@@ -245,17 +253,23 @@ private:
         const auto z = static_cast<float>(p * a.z + q * b.z + r * c.z);
         if (z <= depth_(x, y)) return;
         const double w = p * a.w + q * b.w + r * c.w;
-        const Rgba8 texel = sampler ? (*sampler)((p * a.u + q * b.u + r * c.u) / w, (p * a.v + q * b.v + r * c.v) / w)
-                                    : mixed(a.colour, b.colour, c.colour, p, q, r);
+        const Rgba8 texel =
+            sampler ? (*sampler)((p * a.u + q * b.u + r * c.u) / w, (p * a.v + q * b.v + r * c.v) / w)
+                    : mixed(a.colour, b.colour, c.colour, p, q, r);
         if (texel.a < 128) return;
         depth_(x, y) = z;
         const double light = p * a.light + q * b.light + r * c.light;
-        const auto lit = [light](std::uint8_t value) { return static_cast<std::uint8_t>(light * value + 0.5); };
-        colour_(x, y) = light == 1 ? Rgba8{texel.r, texel.g, texel.b, 255} : Rgba8{lit(texel.r), lit(texel.g), lit(texel.b), 255};
+        const auto lit = [light](std::uint8_t value) {
+            return static_cast<std::uint8_t>(light * value + 0.5);
+        };
+        colour_(x, y) = light == 1 ? Rgba8{texel.r, texel.g, texel.b, 255}
+                                   : Rgba8{lit(texel.r), lit(texel.g), lit(texel.b), 255};
     }
 
     static Rgba8 mixed(Rgb8 a, Rgb8 b, Rgb8 c, double p, double q, double r) {
-        const auto mix = [=](std::uint8_t u, std::uint8_t v, std::uint8_t w) { return static_cast<std::uint8_t>(p * u + q * v + r * w + 0.5); };
+        const auto mix = [=](std::uint8_t u, std::uint8_t v, std::uint8_t w) {
+            return static_cast<std::uint8_t>(p * u + q * v + r * w + 0.5);
+        };
         return {mix(a.r, b.r, c.r), mix(a.g, b.g, c.g), mix(a.b, b.b, c.b), 255};
     }
 
@@ -302,9 +316,11 @@ struct FrameRenderer::Parts {
     Sampler sampler;
 };
 
-FrameRenderer::FrameRenderer(const Rig& rig, const RgbaImage& texture, const View& view, const RenderOptions& options) {
+FrameRenderer::FrameRenderer(const Rig& rig, const RgbaImage& texture, const View& view,
+                             const RenderOptions& options) {
     const FrameSize frame = frame_size(view, options.size);
-    parts_.reset(new Parts{rig, options, frame, Projection(view, frame, options.supersampling, options.perspective),
+    parts_.reset(new Parts{rig, options, frame,
+                           Projection(view, frame, options.supersampling, options.perspective),
                            Sampler(fitting(texture, view, options))});
 }
 FrameRenderer::~FrameRenderer() = default;
@@ -322,14 +338,16 @@ RgbaImage FrameRenderer::operator()(const std::vector<Vec3>& vertices) const {
         }
     }
     // A background without alpha is empty, as the mean of its samples would make it.
-    RgbaImage image(frame.width, frame.height, options.background.a == 0 ? Rgba8{0, 0, 0, 0} : options.background);
+    RgbaImage image(frame.width, frame.height,
+                    options.background.a == 0 ? Rgba8{0, 0, 0, 0} : options.background);
     const int rows = std::min(band_rows, frame.height);
     Rasteriser rasteriser(frame.width * options.supersampling, rows * options.supersampling);
     for (int y = 0; y < frame.height; y += rows) {
         rasteriser.begin_band(y * options.supersampling);
         for (const std::vector<int>& face : rig.mesh.faces)
             for (std::size_t i = 1; i + 1 < face.size(); ++i)
-                rasteriser.draw(screen[face[0]], screen[face[i]], screen[face[i + 1]], rig.colours.empty() ? &sampler : nullptr);
+                rasteriser.draw(screen[face[0]], screen[face[i]], screen[face[i + 1]],
+                                rig.colours.empty() ? &sampler : nullptr);
         rasteriser.resolve(image, options.supersampling, options.background);
     }
     return image;
@@ -345,7 +363,8 @@ std::vector<RgbaImage> render(const Rig& rig, const BoneAnimation& animation, co
     const FrameRenderer renderer(rig, texture, view, options);
     const int count = std::max(1, static_cast<int>(std::floor(animation.duration * fps + 0.5)));
     std::vector<RgbaImage> frames;
-    for (int i = 0; i < count; ++i) frames.push_back(renderer(skin(rig, animation, animation.duration * i / count)));
+    for (int i = 0; i < count; ++i)
+        frames.push_back(renderer(skin(rig, animation, animation.duration * i / count)));
     return frames;
 }
 

@@ -65,8 +65,8 @@ public:
             if (track.axis == "flap") flap += angle;
             if (track.axis == "twist") twist += angle;
         }
-        return normalised(about({0, 0, 1}, plane_turn) * about({d.y, -d.x, 0}, flap) * about({d.x, d.y, 0}, twist) *
-                          about({0, 1, 0}, y) * about({1, 0, 0}, x));
+        return normalised(about({0, 0, 1}, plane_turn) * about({d.y, -d.x, 0}, flap) *
+                          about({d.x, d.y, 0}, twist) * about({0, 1, 0}, y) * about({1, 0, 0}, x));
     }
 
     const std::vector<double>& shift() const { return shift_; }
@@ -140,12 +140,14 @@ BoneAnimation retarget(const Rig& rig, const ReferenceSkeleton& reference, const
         animation.times.push_back(clip.duration * (static_cast<double>(i) / samples));
         const double cycle =
             static_cast<double>(i % samples) / samples; // the last pose is the first, to the bit
-        for (std::size_t b = 0; b < turns.size(); ++b) turns[b] = retargeting.plane_turn(static_cast<int>(b), cycle);
+        for (std::size_t b = 0; b < turns.size(); ++b)
+            turns[b] = retargeting.plane_turn(static_cast<int>(b), cycle);
         Vec3 root = retargeting.translation(cycle);
         std::fill(flaps.begin(), flaps.end(), 0.0);
         footing.apply(cycle, turns, flaps, root);
         for (std::size_t b = 0; b < turns.size(); ++b)
-            animation.rotations[b].push_back(retargeting.rotation(static_cast<int>(b), cycle, turns[b], flaps[b]));
+            animation.rotations[b].push_back(
+                retargeting.rotation(static_cast<int>(b), cycle, turns[b], flaps[b]));
         animation.root_translation.push_back(root);
     }
     return animation;

@@ -14,7 +14,7 @@ namespace {
 constexpr float faint_ink =
     0.10f;                        // darkness from which a pixel outside the silhouette may belong to a stroke
 constexpr float full_ink = 0.55f; // … and from which it is opaque
-constexpr double solid_rim = 1.5;         // working pixels inside the silhouette that a solid's texture leaves out
+constexpr double solid_rim = 1.5; // working pixels inside the silhouette that a solid's texture leaves out
 constexpr double small_hole_share = 0.02; // of the silhouette; as in skeletonization
 
 Mask filled_silhouette(const LabelMap& labels) {

@@ -68,11 +68,14 @@ int run_animate(const Arguments& arguments) {
 void add_animate(CLI::App& app, Run& run) {
     const auto arguments = std::make_shared<Arguments>();
     CLI::App* command = app.add_subcommand("animate", "the whole pipeline: pages to animated characters");
-    command->add_option("IMAGE", arguments->images, "PNG or JPEG pages, or AnimatedDrawings character folders; several go to DIR/<name>/")
+    command
+        ->add_option("IMAGE", arguments->images,
+                     "PNG or JPEG pages, or AnimatedDrawings character folders; several go to DIR/<name>/")
         ->required();
     command->add_option("-o,--output", arguments->out, "folder for the results")->required();
     add_render_options(*command, arguments->render);
-    command->add_flag("--scene", arguments->render.scene, "the whole page comes alive, too: DIR/scene.webp, scene.gif");
+    command->add_flag("--scene", arguments->render.scene,
+                      "the whole page comes alive, too: DIR/scene.webp, scene.gif");
     add_given_options(*command, arguments->given);
     add_motion_options(*command, arguments->common);
     add_animated_drawings_option(*command, arguments->common);

@@ -1,4 +1,5 @@
-// pantin batch [-o DIR]: pages as lines of standard input, results as lines of standard output (docs/batch.md)
+// pantin batch [-o DIR]: pages as lines of standard input, results as lines of standard output
+// (docs/batch.md)
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -99,10 +100,12 @@ const std::map<std::string, Set>& keys() {
         {"blend", [](PageOptions& o, const JsonReader& v) { o.common.blend = v.boolean(); }},
         {"rotate", [](PageOptions& o, const JsonReader& v) { o.common.rotate = rotation_of(v); }},
         {"trace", [](PageOptions& o, const JsonReader& v) { o.common.trace = v.boolean(); }},
-        {"animated_drawings", [](PageOptions& o, const JsonReader& v) { o.common.animated_drawings = v.boolean(); }},
+        {"animated_drawings",
+         [](PageOptions& o, const JsonReader& v) { o.common.animated_drawings = v.boolean(); }},
         {"clip", [](PageOptions& o, const JsonReader& v) { o.render.clip = text_of(v); }},
         {"fps", [](PageOptions& o, const JsonReader& v) { o.render.fps = v.number(1, 100); }},
-        {"size", [](PageOptions& o, const JsonReader& v) { o.render.size = static_cast<int>(v.integer(16, 4096)); }},
+        {"size",
+         [](PageOptions& o, const JsonReader& v) { o.render.size = static_cast<int>(v.integer(16, 4096)); }},
         {"formats", [](PageOptions& o, const JsonReader& v) { o.render.formats = formats_of(v); }},
         {"background", [](PageOptions& o, const JsonReader& v) { o.render.background = text_of(v); }},
         {"perspective", [](PageOptions& o, const JsonReader& v) { o.render.perspective = v.boolean(); }},
@@ -121,8 +124,10 @@ void set_options(PageOptions& options, const JsonReader& line) {
 }
 
 void check_text(const Line& line) {
-    if (line.too_long) throw Error(ErrorKind::input, "the line has more than " + std::to_string(longest_line) + " bytes");
-    if (line.text.find('\0') != std::string::npos) throw Error(ErrorKind::input, "the line holds a zero byte");
+    if (line.too_long)
+        throw Error(ErrorKind::input, "the line has more than " + std::to_string(longest_line) + " bytes");
+    if (line.text.find('\0') != std::string::npos)
+        throw Error(ErrorKind::input, "the line holds a zero byte");
     try {
         Json(line.text).dump();
     } catch (const Json::exception&) {
@@ -143,7 +148,9 @@ void read_line(PageOptions& options, const std::string& text) {
         throw Error(ErrorKind::input, "the line is not valid JSON");
     }
     // So that a bad line can be told by its names, too.
-    const auto name = [&](const char* key) { return json.contains(key) && json[key].is_string() ? json[key] : Json(""); };
+    const auto name = [&](const char* key) {
+        return json.contains(key) && json[key].is_string() ? json[key] : Json("");
+    };
     options.image = name("image");
     options.out = name("out");
     try {
@@ -168,7 +175,8 @@ public:
     // The next page, or the failure of a line that is none; empty when there are no more lines.
     BatchTask next() {
         while (std::optional<Line> line = reader_.next()) {
-            if (first_ && line->text.starts_with("\xEF\xBB\xBF")) line->text.erase(0, 3); // what Windows puts first
+            if (first_ && line->text.starts_with("\xEF\xBB\xBF"))
+                line->text.erase(0, 3); // what Windows puts first
             first_ = false;
             if (line->text.find_first_not_of(" \t") != std::string::npos) return task_of(*line);
         }
@@ -223,7 +231,8 @@ private:
         // AnimatedDrawings folders may end with a slash.
         const std::string stem = (image.has_filename() ? image : image.parent_path()).stem().string();
         const int count = ++stems_[stem];
-        return (fs::path(arguments_.page.out) / (count == 1 ? stem : stem + "-" + std::to_string(count))).string();
+        return (fs::path(arguments_.page.out) / (count == 1 ? stem : stem + "-" + std::to_string(count)))
+            .string();
     }
 
     // Two pages into one folder would mix, and the second would throw the first away.
@@ -273,11 +282,13 @@ public:
 
 private:
     std::string counts() const {
-        return std::to_string(lines_) + " done" + (failed_ > 0 ? ", " + std::to_string(failed_) + " failed" : "");
+        return std::to_string(lines_) + " done" +
+               (failed_ > 0 ? ", " + std::to_string(failed_) + " failed" : "");
     }
     bool print(const std::string& text) {
         errno = 0;
-        const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+        const bool written =
+            std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
         if (!written && errno != EPIPE) throw Error(ErrorKind::output, "standard output: cannot be written");
         return written;
     }
@@ -298,7 +309,9 @@ int run_batch(const Arguments& arguments) {
 
     Lines lines(arguments, networks);
     Output output(arguments.seconds, static_cast<bool>(settings.progress));
-    run_in_order(settings.threads, [&] { return lines.next(); }, [&](const BatchResult& result) { return output.write(result); });
+    run_in_order(
+        settings.threads, [&] { return lines.next(); },
+        [&](const BatchResult& result) { return output.write(result); });
     return output.finish();
 }
 
@@ -308,13 +321,17 @@ void add_batch(CLI::App& app, Run& run) {
     const auto arguments = std::make_shared<Arguments>();
     PageOptions& page = arguments->page;
     CLI::App* command = app.add_subcommand(
-        "batch", "many pages: file names or JSON Lines on standard input, one JSON line each on standard output");
-    command->add_option("-o,--output", page.out, "folder for the pages that name none: DIR/<name of the picture>/");
-    command->add_flag("--skip-done", arguments->skip_done, "leave pages alone that a former run has finished");
+        "batch",
+        "many pages: file names or JSON Lines on standard input, one JSON line each on standard output");
+    command->add_option("-o,--output", page.out,
+                        "folder for the pages that name none: DIR/<name of the picture>/");
+    command->add_flag("--skip-done", arguments->skip_done,
+                      "leave pages alone that a former run has finished");
     command->add_flag("--seconds", arguments->seconds, "add to each line how long it took");
     add_render_options(*command, page.render);
     command->add_flag("--scene", page.render.scene, "the whole page comes alive, too");
-    command->add_option("--reference", page.given.reference, "what every character moves like, whatever identification says");
+    command->add_option("--reference", page.given.reference,
+                        "what every character moves like, whatever identification says");
     add_motion_options(*command, page.common);
     add_animated_drawings_option(*command, page.common);
     add_rotate_option(*command, page.common);

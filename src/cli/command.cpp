@@ -46,13 +46,15 @@ void check_formats(const std::vector<std::string>& formats) {
     constexpr const char* known[] = {"webp", "gif", "apng", "mp4", "png", "bvh"};
     for (const std::string& format : formats) {
         if (std::find(std::begin(known), std::end(known), format) == std::end(known))
-            throw Error(ErrorKind::usage, "--format: '" + format + "' is not webp, gif, apng, mp4, png or bvh");
+            throw Error(ErrorKind::usage,
+                        "--format: '" + format + "' is not webp, gif, apng, mp4, png or bvh");
         if (format == "webp" && !webp_available())
             throw Error(ErrorKind::usage, "--format webp: this pantin was built without WebP");
         if (format == "gif" && !gif_available())
             throw Error(ErrorKind::usage, "--format gif: this pantin was built without GIF");
         if (format == "mp4" && !mp4_available())
-            throw Error(ErrorKind::usage, "--format mp4: there is no ffmpeg on this machine (Debian: apt-get install ffmpeg)");
+            throw Error(ErrorKind::usage,
+                        "--format mp4: there is no ffmpeg on this machine (Debian: apt-get install ffmpeg)");
     }
 }
 
@@ -87,8 +89,10 @@ void add_rotate_option(CLI::App& command, CommonOptions& options) {
 }
 
 void add_motion_options(CLI::App& command, CommonOptions& options) {
-    command.add_flag("--blend", options.blend, "between two types: the clips of both, mixed by their confidence");
-    command.add_option("--motion", options.motion, "BVH file: humanoids follow it as one more clip, of the file's name");
+    command.add_flag("--blend", options.blend,
+                     "between two types: the clips of both, mixed by their confidence");
+    command.add_option("--motion", options.motion,
+                       "BVH file: humanoids follow it as one more clip, of the file's name");
 }
 
 void add_animated_drawings_option(CLI::App& command, CommonOptions& options) {
@@ -97,9 +101,12 @@ void add_animated_drawings_option(CLI::App& command, CommonOptions& options) {
 }
 
 void add_given_options(CLI::App& command, Given& given) {
-    command.add_option("--mask", given.mask, "PNG of the page's size, white where the one character is: no detection");
-    command.add_option("--labels", given.labels, "PNG of the page's size with part labels 0 to 5: no segmentation");
-    command.add_option("--reference", given.reference, "what every character moves like, whatever identification says");
+    command.add_option("--mask", given.mask,
+                       "PNG of the page's size, white where the one character is: no detection");
+    command.add_option("--labels", given.labels,
+                       "PNG of the page's size with part labels 0 to 5: no segmentation");
+    command.add_option("--reference", given.reference,
+                       "what every character moves like, whatever identification says");
 }
 
 void add_render_options(CLI::App& command, RenderFlags& flags) {
@@ -109,7 +116,8 @@ void add_render_options(CLI::App& command, RenderFlags& flags) {
         ->check(CLI::Range(16, 4096))
         ->capture_default_str();
     command
-        .add_option("--format", flags.formats, "webp, gif, apng, mp4, png, bvh (default: webp, and gif of the first clip)")
+        .add_option("--format", flags.formats,
+                    "webp, gif, apng, mp4, png, bvh (default: webp, and gif of the first clip)")
         ->delimiter(',');
     command.add_option("--background", flags.background, "transparent, white, black, #rrggbb or #rrggbbaa")
         ->capture_default_str();

@@ -19,7 +19,7 @@ struct CommonOptions {
     std::string preset = "default";
     std::string config, detector, weights, references, motion;
     std::string config_text; // a configuration at hand instead of in a file (of `batch`)
-    int threads = 0; // 0: all cores
+    int threads = 0;         // 0: all cores
     int rotate = 0;
     bool trace = false, quiet = false, animated_drawings = false, blend = false;
 };
@@ -36,7 +36,8 @@ void add_detector_option(CLI::App& command, CommonOptions& options); // of the c
 void add_rotate_option(CLI::App& command, CommonOptions& options);   // of those that read a page
 void add_motion_options(CLI::App& command, CommonOptions& options);  // of those that move a character
 void add_animated_drawings_option(CLI::App& command, CommonOptions& options); // of those that rig
-void add_given_options(CLI::App& command, Given& given);             // of those that run all steps: results that the user gives
+void add_given_options(CLI::App& command,
+                       Given& given); // of those that run all steps: results that the user gives
 void add_render_options(CLI::App& command, RenderFlags& flags);
 
 // Preset, then configuration file, then the other options. Error(usage) or Error(input).

@@ -31,18 +31,25 @@ std::string command_names(const CLI::App& app) {
 }
 
 std::string bash(const CLI::App& app) {
-    std::string text = "# bash completion for pantin\n_pantin() {\n    local current=${COMP_WORDS[COMP_CWORD]} words=\n"
-                       "    if [ \"$COMP_CWORD\" = 1 ]; then\n        words='" + command_names(app) + " " + joined(flags_of(app)) + "'\n    else\n"
-                       "        case ${COMP_WORDS[1]} in\n";
-    for (const CLI::App* sub : app.get_subcommands(nullptr)) text += "        " + sub->get_name() + ") words='" + joined(flags_of(*sub)) + "' ;;\n";
+    std::string text =
+        "# bash completion for pantin\n_pantin() {\n    local current=${COMP_WORDS[COMP_CWORD]} words=\n"
+        "    if [ \"$COMP_CWORD\" = 1 ]; then\n        words='" +
+        command_names(app) + " " + joined(flags_of(app)) +
+        "'\n    else\n"
+        "        case ${COMP_WORDS[1]} in\n";
+    for (const CLI::App* sub : app.get_subcommands(nullptr))
+        text += "        " + sub->get_name() + ") words='" + joined(flags_of(*sub)) + "' ;;\n";
     return text + "        esac\n        [[ $current == -* ]] || words=\n    fi\n"
-                  "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$current\")\n}\ncomplete -o default -F _pantin pantin\n";
+                  "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$current\")\n}\ncomplete -o "
+                  "default -F _pantin pantin\n";
 }
 
 std::string zsh(const CLI::App& app) {
-    std::string text = "#compdef pantin\nlocal -a commands\nif (( CURRENT == 2 )); then\n    commands=(" + command_names(app) + " " +
-                       joined(flags_of(app)) + ")\n    compadd -- $commands\n    return\nfi\ncase $words[2] in\n";
-    for (const CLI::App* sub : app.get_subcommands(nullptr)) text += sub->get_name() + ") commands=(" + joined(flags_of(*sub)) + ") ;;\n";
+    std::string text = "#compdef pantin\nlocal -a commands\nif (( CURRENT == 2 )); then\n    commands=(" +
+                       command_names(app) + " " + joined(flags_of(app)) +
+                       ")\n    compadd -- $commands\n    return\nfi\ncase $words[2] in\n";
+    for (const CLI::App* sub : app.get_subcommands(nullptr))
+        text += sub->get_name() + ") commands=(" + joined(flags_of(*sub)) + ") ;;\n";
     return text + "esac\nif [[ $PREFIX == -* ]]; then\n    compadd -- $commands\nelse\n    _files\nfi\n";
 }
 
@@ -60,7 +67,8 @@ std::string fish_options(const CLI::App& command, const std::string& where) {
         text += "complete -c pantin -n " + where;
         for (const std::string& name : option->get_snames()) text += " -s " + name;
         for (const std::string& name : option->get_lnames()) text += " -l " + name;
-        text += std::string(option->get_expected_max() > 0 ? " -r" : "") + " -d " + quoted(option->get_description()) + "\n";
+        text += std::string(option->get_expected_max() > 0 ? " -r" : "") + " -d " +
+                quoted(option->get_description()) + "\n";
     }
     return text;
 }
@@ -68,7 +76,8 @@ std::string fish_options(const CLI::App& command, const std::string& where) {
 std::string fish(const CLI::App& app) {
     std::string text = "# fish completion for pantin\n" + fish_options(app, "__fish_use_subcommand");
     for (const CLI::App* sub : app.get_subcommands(nullptr)) {
-        text += "complete -c pantin -n __fish_use_subcommand -f -a " + sub->get_name() + " -d " + quoted(sub->get_description()) + "\n";
+        text += "complete -c pantin -n __fish_use_subcommand -f -a " + sub->get_name() + " -d " +
+                quoted(sub->get_description()) + "\n";
         text += fish_options(*sub, "'__fish_seen_subcommand_from " + sub->get_name() + "'");
     }
     return text;
@@ -79,7 +88,9 @@ std::string fish(const CLI::App& app) {
 void add_completion(CLI::App& app, Run& run) {
     const auto shell = std::make_shared<std::string>();
     CLI::App* command = app.add_subcommand("completion", "print a completion script");
-    command->add_option("SHELL", *shell, "bash, zsh or fish")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
+    command->add_option("SHELL", *shell, "bash, zsh or fish")
+        ->required()
+        ->check(CLI::IsMember({"bash", "zsh", "fish"}));
     command->callback([shell, &app, &run] {
         run = [shell, &app] {
             const std::string text = *shell == "bash" ? bash(app) : *shell == "zsh" ? zsh(app) : fish(app);

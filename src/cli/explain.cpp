@@ -29,8 +29,10 @@ int run_explain(const Arguments& arguments) {
 
 void add_explain(CLI::App& app, Run& run) {
     const auto arguments = std::make_shared<Arguments>();
-    CLI::App* command = app.add_subcommand("explain", "the whole pipeline, and a page that shows what every step did: DIR/index.html");
-    command->add_option("IMAGE", arguments->image, "PNG or JPEG page, or AnimatedDrawings character folder")->required();
+    CLI::App* command = app.add_subcommand(
+        "explain", "the whole pipeline, and a page that shows what every step did: DIR/index.html");
+    command->add_option("IMAGE", arguments->image, "PNG or JPEG page, or AnimatedDrawings character folder")
+        ->required();
     command->add_option("-o,--output", arguments->out, "folder for the results")->required();
     add_render_options(*command, arguments->render);
     add_given_options(*command, arguments->given);

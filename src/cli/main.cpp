@@ -85,8 +85,8 @@ int main(int argc, char** argv) {
     // are done.
     std::signal(SIGPIPE, SIG_IGN);
 #ifdef __GLIBC__
-    // Large blocks go back to the system when they are freed. By default the limit rises with each one, and a full-size
-    // network's tensors leave holes in the heap (432 instead of 520 MB).
+    // Large blocks go back to the system when they are freed. By default the limit rises with each one, and a
+    // full-size network's tensors leave holes in the heap (432 instead of 520 MB).
     mallopt(M_MMAP_THRESHOLD, 4 << 20);
     // Smaller ones stay: the steps take and free them all the time, and new pages cost more than their work.
     mallopt(M_TRIM_THRESHOLD, 64 << 20);

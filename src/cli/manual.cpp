@@ -15,10 +15,14 @@ namespace fs = std::filesystem;
 std::string escaped(const std::string& text) {
     std::string out;
     for (const char c : text) {
-        if (c == '\\') out += "\\e";
-        else if (c == '-') out += "\\-";
-        else if ((c == '.' || c == '\'') && (out.empty() || out.back() == '\n')) out += std::string("\\&") + c;
-        else out += c;
+        if (c == '\\')
+            out += "\\e";
+        else if (c == '-')
+            out += "\\-";
+        else if ((c == '.' || c == '\'') && (out.empty() || out.back() == '\n'))
+            out += std::string("\\&") + c;
+        else
+            out += c;
     }
     return out;
 }
@@ -27,8 +31,10 @@ std::string escaped(const std::string& text) {
 std::string heading(const CLI::Option& option) {
     if (option.get_positional()) return "\\fI" + escaped(option.get_name(true)) + "\\fR";
     std::string names;
-    for (const std::string& name : option.get_snames()) names += (names.empty() ? "" : ", ") + ("\\fB\\-" + escaped(name) + "\\fR");
-    for (const std::string& name : option.get_lnames()) names += (names.empty() ? "" : ", ") + ("\\fB\\-\\-" + escaped(name) + "\\fR");
+    for (const std::string& name : option.get_snames())
+        names += (names.empty() ? "" : ", ") + ("\\fB\\-" + escaped(name) + "\\fR");
+    for (const std::string& name : option.get_lnames())
+        names += (names.empty() ? "" : ", ") + ("\\fB\\-\\-" + escaped(name) + "\\fR");
     const std::string type = option.get_type_name(); // "INT:INT in [16 - 4096]"
     if (option.get_expected_max() > 0) names += " \\fI" + escaped(type.substr(0, type.find(':'))) + "\\fR";
     return names;
@@ -53,7 +59,9 @@ std::string synopsis(const CLI::App& command, const std::string& name) {
     if (!command.get_subcommands(nullptr).empty()) return line + " \\fICOMMAND\\fR [\\fIOPTION\\fR]...";
     line += " [\\fIOPTION\\fR]...";
     for (const CLI::Option* option : command.get_options())
-        if (option->get_positional()) line += " \\fI" + escaped(option->get_name(true)) + "\\fR" + (option->get_expected_max() > 1 ? "..." : "");
+        if (option->get_positional())
+            line += " \\fI" + escaped(option->get_name(true)) + "\\fR" +
+                    (option->get_expected_max() > 1 ? "..." : "");
     return line;
 }
 
@@ -62,16 +70,20 @@ std::string page(const CLI::App& app, const CLI::App& command, bool whole) {
     std::string dashed = name, title;
     std::replace(dashed.begin(), dashed.end(), ' ', '-');
     for (const char c : dashed) title += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-    std::string text = ".TH \"" + escaped(title) + "\" 1 \"" PANTIN_DATE "\" \"pantin " PANTIN_VERSION "\" \"Pantin\"\n.SH NAME\n" + escaped(dashed) + " \\- " +
-                       escaped(command.get_description()) + "\n.SH SYNOPSIS\n" + synopsis(command, name) + "\n";
+    std::string text = ".TH \"" + escaped(title) +
+                       "\" 1 \"" PANTIN_DATE "\" \"pantin " PANTIN_VERSION "\" \"Pantin\"\n.SH NAME\n" +
+                       escaped(dashed) + " \\- " + escaped(command.get_description()) + "\n.SH SYNOPSIS\n" +
+                       synopsis(command, name) + "\n";
     if (whole) {
         text += ".SH COMMANDS\n";
         for (const CLI::App* sub : app.get_subcommands(nullptr))
-            text += ".TP\n\\fB" + escaped(sub->get_name()) + "\\fR\n" + escaped(sub->get_description()) + "; see \\fBpantin\\-" + escaped(sub->get_name()) + "\\fR(1)\n";
+            text += ".TP\n\\fB" + escaped(sub->get_name()) + "\\fR\n" + escaped(sub->get_description()) +
+                    "; see \\fBpantin\\-" + escaped(sub->get_name()) + "\\fR(1)\n";
     }
     text += ".SH OPTIONS\n";
     for (const CLI::Option* option : command.get_options())
-        text += ".TP\n" + heading(*option) + "\n" + escaped(option->get_description()) + facts(*option) + "\n";
+        text +=
+            ".TP\n" + heading(*option) + "\n" + escaped(option->get_description()) + facts(*option) + "\n";
     text += ".SH EXIT STATUS\n.nf\n" + escaped(app.get_footer()) + "\n.fi\n";
     if (!whole) text += ".SH SEE ALSO\n\\fBpantin\\fR(1)\n";
     return text;

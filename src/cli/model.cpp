@@ -19,8 +19,10 @@ int run_model(const Arguments& arguments) {
     const std::filesystem::path input = arguments.input;
     std::error_code ignored;
     const bool folder = std::filesystem::is_directory(input, ignored);
-    if (arguments.out.empty() && !folder) throw Error(ErrorKind::usage, "--output is required with a file of strokes");
-    const std::filesystem::path out = arguments.out.empty() ? input / "model" : std::filesystem::path(arguments.out);
+    if (arguments.out.empty() && !folder)
+        throw Error(ErrorKind::usage, "--output is required with a file of strokes");
+    const std::filesystem::path out =
+        arguments.out.empty() ? input / "model" : std::filesystem::path(arguments.out);
     model_folder(input, out, arguments.calls, settings);
     if (arguments.animate) {
         identify_folder(out, settings);
@@ -36,10 +38,16 @@ int run_model(const Arguments& arguments) {
 
 void add_model(CLI::App& app, Run& run) {
     const auto arguments = std::make_shared<Arguments>();
-    CLI::App* command = app.add_subcommand("model", "strokes of parts, or a character's folder, to a rigged 3D model (RealSkel)");
-    command->add_option("STROKES", arguments->input, "strokes (.json, .svg), or the folder of a character with labels.png")->required();
-    command->add_option("-o,--output", arguments->out, "folder for the results; of a character: its folder model");
-    command->add_option("--calls", arguments->calls, "JSON file of calls to play after the strokes: move_part, set_symmetry, refine, ...");
+    CLI::App* command = app.add_subcommand(
+        "model", "strokes of parts, or a character's folder, to a rigged 3D model (RealSkel)");
+    command
+        ->add_option("STROKES", arguments->input,
+                     "strokes (.json, .svg), or the folder of a character with labels.png")
+        ->required();
+    command->add_option("-o,--output", arguments->out,
+                        "folder for the results; of a character: its folder model");
+    command->add_option("--calls", arguments->calls,
+                        "JSON file of calls to play after the strokes: move_part, set_symmetry, refine, ...");
     command->add_flag("--animate", arguments->animate, "then identify, rig and render the model");
     add_motion_options(*command, arguments->common);
     add_render_options(*command, arguments->render);

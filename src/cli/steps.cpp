@@ -62,12 +62,12 @@ void add_rig(CLI::App& app, Run& run) {
         rig_folder(folder, settings);
     };
     const auto arguments = std::make_shared<FolderArguments>();
-    CLI::App* command = add_folder_command(app, run, "rig", "step 5: mesh, bones, weights and character.glb", arguments,
-                                           rig_with);
+    CLI::App* command = add_folder_command(app, run, "rig", "step 5: mesh, bones, weights and character.glb",
+                                           arguments, rig_with);
     add_motion_options(*command, arguments->common);
     add_animated_drawings_option(*command, arguments->common);
     command->add_option("--mapping", *mapping,
-                     "mapping.json with the pairs of end-effectors to use instead of matching");
+                        "mapping.json with the pairs of end-effectors to use instead of matching");
 }
 
 void add_skeletonize(CLI::App& app, Run& run) {
@@ -86,9 +86,11 @@ void add_skeletonize(CLI::App& app, Run& run) {
                                            std::make_shared<FolderArguments>(), skeletonize_by);
     command
         ->add_option("--skeleton", *method,
-                     "voronoi (default), straight (straight skeleton), thinning (Zhang-Suen alone) or chordal (chordal axis)")
+                     "voronoi (default), straight (straight skeleton), thinning (Zhang-Suen alone) or "
+                     "chordal (chordal axis)")
         ->check(CLI::IsMember({"voronoi", "straight", "thinning", "chordal"}));
-    command->add_flag("--compare", *compare, "also draw the skeletons of all four side by side (skeletons.png, skeletons.json)");
+    command->add_flag("--compare", *compare,
+                      "also draw the skeletons of all four side by side (skeletons.png, skeletons.json)");
 }
 
 void add_identify(CLI::App& app, Run& run) {
@@ -104,8 +106,8 @@ void add_identify(CLI::App& app, Run& run) {
 
 void add_render(CLI::App& app, Run& run) {
     const auto arguments = std::make_shared<FolderArguments>();
-    CLI::App* command = add_folder_command(app, run, "render", "frames, WebP and GIF of the clips", arguments,
-                                           render_folder);
+    CLI::App* command =
+        add_folder_command(app, run, "render", "frames, WebP and GIF of the clips", arguments, render_folder);
     add_motion_options(*command, arguments->common);
     add_render_options(*command, arguments->render);
 }

@@ -43,8 +43,8 @@ int compare(const Arguments& arguments) {
     if (!arguments.out.empty()) write_pictures(arguments.out, comparison);
     if (comparison.stages.empty()) return 0;
     const StageDifferences& first = comparison.stages.front();
-    throw Error(ErrorKind::differs, arguments.folder + " differs from " + arguments.against + ", first in " + first.stage + " (" +
-                                        first.files.front().file + ")");
+    throw Error(ErrorKind::differs, arguments.folder + " differs from " + arguments.against + ", first in " +
+                                        first.stage + " (" + first.files.front().file + ")");
 }
 
 int run_verify(const Arguments& arguments) {
@@ -62,20 +62,28 @@ int run_verify(const Arguments& arguments) {
     if (!arguments.out.empty()) write_files(arguments.out, verification.outputs);
     const StageDifferences* first = verification.first_difference();
     if (!first) return 0;
-    throw Error(ErrorKind::differs, "stage " + first->stage + " differs on the " + first->drawing + " (" + first->files.front().file + ")");
+    throw Error(ErrorKind::differs, "stage " + first->stage + " differs on the " + first->drawing + " (" +
+                                        first->files.front().file + ")");
 }
 
 } // namespace
 
 void add_verify(CLI::App& app, Run& run) {
     const auto arguments = std::make_shared<Arguments>();
-    CLI::App* command = app.add_subcommand("verify", "every stage on built-in drawings against stored results; or two folders of results");
-    command->add_option("DIR", arguments->folder, "folder to compare with that of --against, instead of verifying");
+    CLI::App* command = app.add_subcommand(
+        "verify", "every stage on built-in drawings against stored results; or two folders of results");
+    command->add_option("DIR", arguments->folder,
+                        "folder to compare with that of --against, instead of verifying");
     command->add_option("--against", arguments->against, "the other folder: of verify, animate or any step");
-    command->add_option("-o,--output", arguments->out, "folder for the stages' outputs; of a comparison for pictures of where they differ");
-    command->add_flag("--end-to-end", arguments->end_to_end, "every stage takes what the stage before has just made, not the stored input");
-    command->add_option("--config", arguments->common.config, "JSON file of options to change: shows which stages depend on them");
-    command->add_option("--threads", arguments->common.threads, "number of threads (default: all cores); results do not depend on it")
+    command->add_option("-o,--output", arguments->out,
+                        "folder for the stages' outputs; of a comparison for pictures of where they differ");
+    command->add_flag("--end-to-end", arguments->end_to_end,
+                      "every stage takes what the stage before has just made, not the stored input");
+    command->add_option("--config", arguments->common.config,
+                        "JSON file of options to change: shows which stages depend on them");
+    command
+        ->add_option("--threads", arguments->common.threads,
+                     "number of threads (default: all cores); results do not depend on it")
         ->check(CLI::Range(1, 256));
     command->add_flag("--quiet", arguments->common.quiet, "print errors only");
     command->callback([arguments, &run] { run = [arguments] { return run_verify(*arguments); }; });

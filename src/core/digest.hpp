@@ -1,4 +1,5 @@
-// A 64-bit digest of results (FNV-1a: Fowler, Noll, Vo). It finds differences; it is no protection against forgery.
+// A 64-bit digest of results (FNV-1a: Fowler, Noll, Vo). It finds differences; it is no protection against
+// forgery.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Disjoint sets of 0 … n−1 (union–find with path halving). The smallest element of a set is its root, so that what is
-// built on roots does not depend on the order of the unions.
+// Disjoint sets of 0 … n−1 (union–find with path halving). The smallest element of a set is its root, so that
+// what is built on roots does not depend on the order of the unions.
 #pragma once
 
 #include <algorithm>

@@ -28,7 +28,8 @@ void require_regular(const fs::path& file) {
     const fs::file_status status = fs::status(file, code);
     if (!fs::exists(status)) throw Error(ErrorKind::input, file.string() + ": no such file");
     if (fs::is_directory(status)) throw Error(ErrorKind::input, file.string() + ": is a folder, not a file");
-    if (!fs::is_regular_file(status)) throw Error(ErrorKind::input, file.string() + ": is not a regular file");
+    if (!fs::is_regular_file(status))
+        throw Error(ErrorKind::input, file.string() + ": is not a regular file");
 }
 
 constexpr std::size_t read_step = 65536;
@@ -41,7 +42,8 @@ template <class Bytes> Bytes read_all(const fs::path& file, std::size_t limit) {
     Bytes bytes;
     std::error_code unknown;
     const std::uintmax_t size = fs::file_size(file, unknown);
-    if (!unknown && size <= limit) bytes.reserve(static_cast<std::size_t>(size) + read_step); // one copy of a large file
+    if (!unknown && size <= limit)
+        bytes.reserve(static_cast<std::size_t>(size) + read_step); // one copy of a large file
     std::size_t used = 0;
     for (;;) {
         bytes.resize(used + read_step);

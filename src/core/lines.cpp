@@ -18,7 +18,8 @@ bool LineReader::fill() {
     do got = ::read(descriptor_, block_.data(), block_size);
     while (got < 0 && errno == EINTR);
     block_.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
-    if (got < 0) throw Error(ErrorKind::input, std::string("standard input: cannot be read: ") + std::strerror(errno));
+    if (got < 0)
+        throw Error(ErrorKind::input, std::string("standard input: cannot be read: ") + std::strerror(errno));
     ended_ = got == 0; // also of a terminal, where reading on would wait for more
     return !ended_;
 }

@@ -18,7 +18,8 @@ public:
     // Reads from an open file, pipe or terminal. Of a line at most `limit` bytes are kept in memory.
     LineReader(int descriptor, std::size_t limit) : descriptor_(descriptor), limit_(limit) {}
 
-    // Waits for the next line; none after the last one, which need not be ended. Error(input) when the stream cannot be read.
+    // Waits for the next line; none after the last one, which need not be ended. Error(input) when the stream
+    // cannot be read.
     std::optional<Line> next();
     std::uint64_t bytes() const { return bytes_; } // of the lines so far
 

@@ -9,9 +9,7 @@
 namespace pantin::math {
 
 // ⌊a / b⌋, b > 0.
-constexpr std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
-    return a / b - (a % b != 0 && a < 0);
-}
+constexpr std::int64_t floor_divide(std::int64_t a, std::int64_t b) { return a / b - (a % b != 0 && a < 0); }
 
 inline constexpr double pi = 3.14159265358979323846;
 

@@ -13,7 +13,8 @@ namespace pantin {
 
 std::vector<Resource> resources() {
     std::vector<Resource> all;
-    for (const PantinResource* r = pantin_resources; r->name; ++r) all.push_back({r->name, {r->begin, r->end}});
+    for (const PantinResource* r = pantin_resources; r->name; ++r)
+        all.push_back({r->name, {r->begin, r->end}});
     return all;
 }
 

@@ -24,8 +24,8 @@ CharacterFinder::CharacterFinder(CharacterFinder&&) noexcept = default;
 
 namespace {
 
-// What the network sees: ink darkness, or red, green and blue in [0, 1]. Large pages are averaged down first; the
-// network's own resizing would skip thin lines.
+// What the network sees: ink darkness, or red, green and blue in [0, 1]. Large pages are averaged down first;
+// the network's own resizing would skip thin lines.
 network::Tensor input_of(const RgbImage& page, const mask_rcnn::TransformOptions& options) {
     const int longer = std::max(page.width(), page.height());
     const auto side = [&](int pixels) {

@@ -1,7 +1,7 @@
-// Step 1 of the pipeline (thesis 4.2): ink, its grouping to characters by contours or by Mask R-CNN, silhouettes.
-// Based on: S. Suzuki, K. Abe: Topological structural analysis of digitized binary images by border
-// following. CVGIP 30, 1985. The page is thresholded against its local mean, pieces of ink are grouped to
-// characters (grouping.cpp), and each character's open outline is closed (rooms.cpp, silhouette.cpp).
+// Step 1 of the pipeline (thesis 4.2): ink, its grouping to characters by contours or by Mask R-CNN,
+// silhouettes. Based on: S. Suzuki, K. Abe: Topological structural analysis of digitized binary images by
+// border following. CVGIP 30, 1985. The page is thresholded against its local mean, pieces of ink are grouped
+// to characters (grouping.cpp), and each character's open outline is closed (rooms.cpp, silhouette.cpp).
 #include "pantin/detection.hpp"
 
 #include <algorithm>
@@ -68,7 +68,9 @@ Box page_box(const Box& box, int factor, const RgbImage& page) {
     return {left, top, right - left, bottom - top};
 }
 
-int working_side(int pixels, double scale) { return std::max(1, static_cast<int>(std::floor(pixels * scale + 0.5))); }
+int working_side(int pixels, double scale) {
+    return std::max(1, static_cast<int>(std::floor(pixels * scale + 0.5)));
+}
 
 double working_scale(const Box& box, const DetectionOptions& options) {
     return std::min(1.0, static_cast<double>(options.working_size) / std::max(box.width, box.height));
@@ -153,8 +155,7 @@ Detection detect(const RgbImage& page, const DetectionOptions& options, const Ch
         character.mask = silhouette_of(ink);
         if (std::none_of(character.mask.begin(), character.mask.end(), [](std::uint8_t v) { return v != 0; }))
             continue;
-        character.score =
-            grouping.scores.empty() ? inked_share(character.mask, ink) : grouping.scores[index];
+        character.score = grouping.scores.empty() ? inked_share(character.mask, ink) : grouping.scores[index];
         character.drawing = crop(page, character.box);
         result.characters.push_back(std::move(character));
     }
@@ -163,7 +164,8 @@ Detection detect(const RgbImage& page, const DetectionOptions& options, const Ch
     return result;
 }
 
-DetectedCharacter character_of(const RgbImage& page, const Mask& silhouette, const DetectionOptions& options) {
+DetectedCharacter character_of(const RgbImage& page, const Mask& silhouette,
+                               const DetectionOptions& options) {
     int left = page.width(), top = page.height(), right = 0, bottom = 0;
     for (int y = 0; y < silhouette.height(); ++y)
         for (int x = 0; x < silhouette.width(); ++x) {
@@ -177,8 +179,9 @@ DetectedCharacter character_of(const RgbImage& page, const Mask& silhouette, con
     character.scale = working_scale(character.box, options);
     character.score = 1;
     character.drawing = crop(page, character.box);
-    character.mask = resize_mask(crop(silhouette, character.box), working_side(character.box.width, character.scale),
-                                 working_side(character.box.height, character.scale));
+    character.mask =
+        resize_mask(crop(silhouette, character.box), working_side(character.box.width, character.scale),
+                    working_side(character.box.height, character.scale));
     return character;
 }
 

@@ -227,8 +227,8 @@ private:
         // A figure that is coloured in has ink where a line drawing has rooms: what lies deeper than any pen.
         const Grid<int> depth = squared_distance_transform(ink);
         const double pen = options_.deepest_pen * diagonal_of(box);
-        return enclosed + static_cast<double>(std::count_if(depth.begin(), depth.end(),
-                                                            [&](int squared) { return squared > pen * pen; }));
+        return enclosed + static_cast<double>(std::count_if(
+                              depth.begin(), depth.end(), [&](int squared) { return squared > pen * pen; }));
     }
 
     void unite(int a, int b, double rooms) {

@@ -10,8 +10,8 @@
 namespace pantin {
 
 struct Grouping {
-    Grid<int> groups;       // per pixel: 0, or number of the group (1, 2, …) that its ink belongs to
-    std::vector<Box> boxes; // per group, of its ink
+    Grid<int> groups;           // per pixel: 0, or number of the group (1, 2, …) that its ink belongs to
+    std::vector<Box> boxes;     // per group, of its ink
     std::vector<double> scores; // per group, of the network that found it; empty without one
 };
 

@@ -14,16 +14,15 @@ namespace {
 bool is_part(const CharacterFinder::Found& part, const CharacterFinder::Found& whole,
              const DetectionOptions& options) {
     const auto area = [](const CharacterFinder::Found& f) { return (f.right - f.left) * (f.bottom - f.top); };
-    if (&part == &whole || area(whole) <= area(part) || whole.score < part.score)
-        return false;
+    if (&part == &whole || area(whole) <= area(part) || whole.score < part.score) return false;
     int own = 0, shared = 0;
     for (int row = 0; row < part.mask.height(); ++row)
         for (int column = 0; column < part.mask.width(); ++column) {
             if (part.mask(column, row) < 0.5f) continue;
             ++own;
-            shared += whole.probability(part.left + (column + 0.5) * (part.right - part.left) / part.mask.width(),
-                                        part.top + (row + 0.5) * (part.bottom - part.top) / part.mask.height()) >=
-                      0.5;
+            shared += whole.probability(
+                          part.left + (column + 0.5) * (part.right - part.left) / part.mask.width(),
+                          part.top + (row + 0.5) * (part.bottom - part.top) / part.mask.height()) >= 0.5;
         }
     return shared >= options.contained_share * own;
 }
@@ -90,7 +89,8 @@ Grid<int> give_claimed(const Components& pieces, const Claims& claims, double sh
 }
 
 // Rule 2.
-void give_unclaimed(Grid<int>& groups, const Components& pieces, const std::vector<Box>& boxes, double reach) {
+void give_unclaimed(Grid<int>& groups, const Components& pieces, const std::vector<Box>& boxes,
+                    double reach) {
     const Grid<int> nearest = nearest_seed(where_positive(groups));
     struct Way {
         long squared = -1;
@@ -113,7 +113,8 @@ void give_unclaimed(Grid<int>& groups, const Components& pieces, const std::vect
         const Way& way = ways[static_cast<std::size_t>(piece) - 1];
         if (way.squared < 0) continue;
         const Box& box = boxes[static_cast<std::size_t>(way.group) - 1];
-        const double farthest = reach * length(Point2d{static_cast<double>(box.width), static_cast<double>(box.height)});
+        const double farthest =
+            reach * length(Point2d{static_cast<double>(box.width), static_cast<double>(box.height)});
         if (static_cast<double>(way.squared) <= farthest * farthest) groups.data()[i] = way.group;
     }
 }
@@ -125,7 +126,8 @@ std::vector<CharacterFinder::Found> whole_characters(std::vector<CharacterFinder
     std::erase_if(found, [&](const auto& f) { return f.score < options.network_score; });
     std::vector<CharacterFinder::Found> whole;
     for (const CharacterFinder::Found& f : found)
-        if (std::none_of(found.begin(), found.end(), [&](const auto& other) { return is_part(f, other, options); }))
+        if (std::none_of(found.begin(), found.end(),
+                         [&](const auto& other) { return is_part(f, other, options); }))
             whole.push_back(f);
     return whole;
 }

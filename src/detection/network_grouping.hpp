@@ -7,7 +7,7 @@ namespace pantin {
 
 // What the network says of each pixel of the page, at the size of the ink that is grouped.
 struct Claims {
-    Grid<int> owner; // 0, or the number of the detection (1, 2, …) that claims the pixel most
+    Grid<int> owner;            // 0, or the number of the detection (1, 2, …) that claims the pixel most
     std::vector<double> scores; // of the detections
 };
 

@@ -19,7 +19,8 @@ std::string text_or_empty(const JsonReader& reader, const char* key) {
 }
 
 TrueCharacter read_character(const JsonReader& reader) {
-    return {{}, text_or_empty(reader, "type"), text_or_empty(reader, "species"), text_or_empty(reader, "pose")};
+    return {
+        {}, text_or_empty(reader, "type"), text_or_empty(reader, "species"), text_or_empty(reader, "pose")};
 }
 
 // A grey PNG whose values are labels or numbers.

@@ -195,7 +195,8 @@ Evaluation evaluate(const Dataset& dataset, const fs::path& out, const Settings&
         for (const Answer& answer : answers) {
             FoundCharacter found{truth.id, answer.score, -1, -1, 0, 0};
             std::tie(found.true_by_mask, found.mask_overlap) = best_partner(answer.mask, truth);
-            std::tie(found.true_by_silhouette, found.silhouette_overlap) = best_partner(answer.silhouette, truth);
+            std::tie(found.true_by_silhouette, found.silhouette_overlap) =
+                best_partner(answer.silhouette, truth);
             evaluation.found.push_back(found);
         }
         for (std::size_t k = 0; k < truth.characters.size(); ++k)

@@ -105,7 +105,11 @@ std::string cell(double value) { return std::isnan(value) ? "     –" : line("%
 std::string escaped(const std::string& text) {
     std::string out;
     for (const char c : text)
-        out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
+        out += c == '<'   ? "&lt;"
+               : c == '>' ? "&gt;"
+               : c == '&' ? "&amp;"
+               : c == '"' ? "&quot;"
+                          : std::string(1, c);
     return out;
 }
 
@@ -115,7 +119,8 @@ Json number_or_null(double value) { return std::isnan(value) ? Json(nullptr) : J
 
 std::string evaluation_to_text(const Evaluation& e) {
     const Stages s = stages_of(e);
-    std::string text = line("%d pages, %d characters, %zu found\n\ndetection\n", e.pages, s.all, e.found.size());
+    std::string text =
+        line("%d pages, %d characters, %zu found\n\ndetection\n", e.pages, s.all, e.found.size());
     for (const bool by_mask : {true, false})
         text += line("  %-24s AP50 %s  AP75 %s\n", by_mask ? "detector's mask" : "silhouette",
                      cell(average_precision(e, 0.5, by_mask)).c_str(),
@@ -133,7 +138,8 @@ std::string evaluation_to_text(const Evaluation& e) {
         for (const auto& [reference, count] : answers) text += line(" %s %d", reference.c_str(), count);
         text += "\n";
     }
-    text += line("\nstages: of %d characters detected %d, segmented %d, with a skeleton %d, identified %d, rigged %d\n",
+    text += line("\nstages: of %d characters detected %d, segmented %d, with a skeleton %d, identified %d, "
+                 "rigged %d\n",
                  s.all, s.detected, s.segmented, s.skeleton, s.identified, s.rigged);
     return text;
 }
@@ -159,29 +165,34 @@ std::string evaluation_to_json(const Evaluation& e) {
     }
     json["identification"] = Json::object();
     for (const auto& [type, answers] : confusion_of(e)) json["identification"][type] = answers;
-    json["stages"] = {{"detected", s.detected}, {"segmented", s.segmented}, {"skeleton", s.skeleton},
-                      {"identified", s.identified}, {"rigged", s.rigged}};
+    json["stages"] = {{"detected", s.detected},
+                      {"segmented", s.segmented},
+                      {"skeleton", s.skeleton},
+                      {"identified", s.identified},
+                      {"rigged", s.rigged}};
     json["results"] = Json::array();
     for (const CharacterResult& c : e.characters)
-        json["results"].push_back({{"page", c.page},
-                                   {"type", c.type},
-                                   {"found", c.found},
-                                   {"mask_overlap", c.mask_overlap},
-                                   {"silhouette_overlap", c.silhouette_overlap},
-                                   {"mean_overlap", c.mean_overlap() < 0 ? Json(nullptr) : Json(c.mean_overlap())},
-                                   {"identified", c.identified},
-                                   {"confidence", c.confidence},
-                                   {"status", c.status}});
+        json["results"].push_back(
+            {{"page", c.page},
+             {"type", c.type},
+             {"found", c.found},
+             {"mask_overlap", c.mask_overlap},
+             {"silhouette_overlap", c.silhouette_overlap},
+             {"mean_overlap", c.mean_overlap() < 0 ? Json(nullptr) : Json(c.mean_overlap())},
+             {"identified", c.identified},
+             {"confidence", c.confidence},
+             {"status", c.status}});
     return to_json_text(json);
 }
 
 std::string evaluation_to_html(const Evaluation& e) {
-    std::string html = "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>Evaluation</title>\n"
-                       "<style>body{font:14px sans-serif;margin:2em}td,th{padding:2px 10px;text-align:left}"
-                       "img{height:90px}pre{font-size:12px}.no{color:#b00}</style>\n<h1>Evaluation</h1>\n<pre>" +
-                       escaped(evaluation_to_text(e)) +
-                       "</pre>\n<table>\n<tr><th>page<th>type<th>drawing<th>detected<th>segmented<th>identified"
-                       "<th>rigged</tr>\n";
+    std::string html =
+        "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>Evaluation</title>\n"
+        "<style>body{font:14px sans-serif;margin:2em}td,th{padding:2px 10px;text-align:left}"
+        "img{height:90px}pre{font-size:12px}.no{color:#b00}</style>\n<h1>Evaluation</h1>\n<pre>" +
+        escaped(evaluation_to_text(e)) +
+        "</pre>\n<table>\n<tr><th>page<th>type<th>drawing<th>detected<th>segmented<th>identified"
+        "<th>rigged</tr>\n";
     const auto mark = [](bool good, const std::string& text) {
         return std::string(good ? "<td>✓ " : "<td class=\"no\">✗ ") + escaped(text);
     };
@@ -195,7 +206,8 @@ std::string evaluation_to_html(const Evaluation& e) {
         html += "<tr><td>" + escaped(c.page) + "<td>" + escaped(c.type) + "<td>" + picture(c) +
                 mark(c.found, c.mask_overlap > 0 ? line("%.2f", c.mask_overlap) : "") +
                 mark(c.found && (parts < 0 || parts >= 0.5), parts >= 0 ? line("%.2f", parts) : "") +
-                mark(c.identified == c.type && c.found, c.identified) + mark(c.status == "ok", c.status) + "</tr>\n";
+                mark(c.identified == c.type && c.found, c.identified) + mark(c.status == "ok", c.status) +
+                "</tr>\n";
     }
     return html + "</table>\n</html>\n";
 }

@@ -1,4 +1,5 @@
-// The chapters of the page, one for each thing that a step makes. Each says with what its template (assets/chapters/<name>.html) is filled.
+// The chapters of the page, one for each thing that a step makes. Each says with what its template
+// (assets/chapters/<name>.html) is filled.
 #pragma once
 
 #include <string>

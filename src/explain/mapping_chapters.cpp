@@ -16,9 +16,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr int way_points = 40; // of a path that is drawn
 constexpr double chart_width = 360, chart_height = 150;
-constexpr double reference_side = 321; // of the picture in which a reference is drawn (rigging/skeleton_paths.hpp)
+constexpr double reference_side =
+    321; // of the picture in which a reference is drawn (rigging/skeleton_paths.hpp)
 
-std::string letter(std::size_t i) { return i < 26 ? std::string(1, static_cast<char>('A' + i)) : "Z" + std::to_string(i - 25); }
+std::string letter(std::size_t i) {
+    return i < 26 ? std::string(1, static_cast<char>('A' + i)) : "Z" + std::to_string(i - 25);
+}
 
 double rounded(double value, double unit) { return std::rint(value * unit) / unit; }
 
@@ -61,7 +64,9 @@ Json comparisons(const Mapping& mapping) {
                 for (const double d : line) values.push_back(rounded(d, 1000));
                 distances.push_back(std::move(values));
             }
-            cells.push_back({{"distances", std::move(distances)}, {"path", c.osb.path}, {"cost", rounded(c.osb.cost, 1000)}});
+            cells.push_back({{"distances", std::move(distances)},
+                             {"path", c.osb.path},
+                             {"cost", rounded(c.osb.cost, 1000)}});
         }
         all.push_back(std::move(cells));
     }
@@ -69,13 +74,16 @@ Json comparisons(const Mapping& mapping) {
 }
 
 // A skeleton with the names of its ends, and a place for the path that is looked at.
-std::string figure(Svg svg, const SkeletonGraph& graph, const std::vector<int>& ends, bool letters, double scale, const std::string& colour) {
-    svg.graph(graph, scale).raw("<path class=\"track\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" + decimal(4 * scale, 1) +
-                                "\" stroke-linecap=\"round\" opacity=\".75\"/>");
+std::string figure(Svg svg, const SkeletonGraph& graph, const std::vector<int>& ends, bool letters,
+                   double scale, const std::string& colour) {
+    svg.graph(graph, scale)
+        .raw("<path class=\"track\" fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" +
+             decimal(4 * scale, 1) + "\" stroke-linecap=\"round\" opacity=\".75\"/>");
     for (std::size_t i = 0; i < ends.size(); ++i) {
         const SkeletonVertex& v = graph.vertices[ends[i]];
         const double size = 15 * scale;
-        const Point2d at = {std::clamp(v.x + 5 * scale, 0.0, graph.width - size), std::clamp(v.y - 4 * scale, size, graph.height - 2.0)};
+        const Point2d at = {std::clamp(v.x + 5 * scale, 0.0, graph.width - size),
+                            std::clamp(v.y - 4 * scale, size, graph.height - 2.0)};
         svg.text(at, letters ? letter(i) : std::to_string(i + 1), size);
     }
     return svg.str();
@@ -92,15 +100,18 @@ std::string reference_figure(const Figure& drawn, const Mapping& mapping, const 
 
 // A table of numbers; `mark` says the class of a cell.
 template <class Name, class Column, class Mark>
-std::string matrix(const std::vector<std::vector<double>>& values, const std::string& corner, Name row_name, Column column_name, Mark mark) {
+std::string matrix(const std::vector<std::vector<double>>& values, const std::string& corner, Name row_name,
+                   Column column_name, Mark mark) {
     if (values.empty()) return "";
     std::string text = "<table class=\"matrix\"><thead><tr><th>" + corner + "</th>";
-    for (std::size_t j = 0; j < values[0].size(); ++j) text += "<th scope=\"col\">" + column_name(j) + "</th>";
+    for (std::size_t j = 0; j < values[0].size(); ++j)
+        text += "<th scope=\"col\">" + column_name(j) + "</th>";
     text += "</tr></thead><tbody>";
     for (std::size_t i = 0; i < values.size(); ++i) {
         text += "<tr><th scope=\"row\">" + row_name(i) + "</th>";
         for (std::size_t j = 0; j < values[i].size(); ++j)
-            text += "<td class=\"" + std::string(mark(i, j)) + "\" data-i=\"" + std::to_string(i) + "\" data-j=\"" + std::to_string(j) + "\">" + decimal(values[i][j], 2) + "</td>";
+            text += "<td class=\"" + std::string(mark(i, j)) + "\" data-i=\"" + std::to_string(i) +
+                    "\" data-j=\"" + std::to_string(j) + "\">" + decimal(values[i][j], 2) + "</td>";
         text += "</tr>";
     }
     return text + "</tbody></table>";
@@ -120,14 +131,19 @@ struct Chosen {
 };
 Chosen first_pair(const Mapping& mapping) {
     if (mapping.pairs.empty()) return {};
-    const auto index = [](const std::vector<int>& all, int v) { return static_cast<std::size_t>(std::find(all.begin(), all.end(), v) - all.begin()); };
-    return {index(mapping.ends, mapping.pairs[0].end), index(mapping.reference_ends, mapping.pairs[0].reference_end)};
+    const auto index = [](const std::vector<int>& all, int v) {
+        return static_cast<std::size_t>(std::find(all.begin(), all.end(), v) - all.begin());
+    };
+    return {index(mapping.ends, mapping.pairs[0].end),
+            index(mapping.reference_ends, mapping.pairs[0].reference_end)};
 }
 
 std::vector<Point2d> curve(const PathSamples& path, double most) {
     std::vector<Point2d> points;
     for (std::size_t i = 0; i < path.radii.size(); ++i)
-        points.push_back({chart_width * static_cast<double>(i) / static_cast<double>(std::max<std::size_t>(1, path.radii.size() - 1)), chart_height * (1 - path.radii[i] / most)});
+        points.push_back({chart_width * static_cast<double>(i) /
+                              static_cast<double>(std::max<std::size_t>(1, path.radii.size() - 1)),
+                          chart_height * (1 - path.radii[i] / most)});
     return points;
 }
 
@@ -135,17 +151,24 @@ double largest_radius(const Mapping& mapping) {
     double most = 0.001;
     for (const auto* paths : {&mapping.paths, &mapping.reference_paths})
         for (const auto& from : *paths)
-            for (const PathSamples& path : from) most = std::max(most, *std::max_element(path.radii.begin(), path.radii.end()));
+            for (const PathSamples& path : from)
+                most = std::max(most, *std::max_element(path.radii.begin(), path.radii.end()));
     return most;
 }
 
 std::string curves(const Mapping& mapping, Chosen at, double most) {
     Svg chart(chart_width, chart_height, "Radii along two paths, from one end to the other", 16);
-    chart.text({4, -4}, "thickness, " + decimal(most) + " means", 9, "#444").text({chart_width - 86, chart_height + 12}, "way from end to end", 9, "#444");
-    chart.line({0, chart_height}, {chart_width, chart_height}, "#999", 1).line({0, 0}, {0, chart_height}, "#999", 1);
+    chart.text({4, -4}, "thickness, " + decimal(most) + " means", 9, "#444")
+        .text({chart_width - 86, chart_height + 12}, "way from end to end", 9, "#444");
+    chart.line({0, chart_height}, {chart_width, chart_height}, "#999", 1)
+        .line({0, 0}, {0, chart_height}, "#999", 1);
     const EndComparison& c = mapping.comparisons[at.i][at.j];
-    const std::size_t k = c.osb.path.empty() ? 0 : static_cast<std::size_t>(c.osb.path[0].first), l = c.osb.path.empty() ? 0 : static_cast<std::size_t>(c.osb.path[0].second);
-    chart.raw("<g class=\"curves\">").polyline(curve(mapping.paths[at.i][k], most), "#2662d6", 2).polyline(curve(mapping.reference_paths[at.j][l], most), "#d66000", 2).raw("</g>");
+    const std::size_t k = c.osb.path.empty() ? 0 : static_cast<std::size_t>(c.osb.path[0].first),
+                      l = c.osb.path.empty() ? 0 : static_cast<std::size_t>(c.osb.path[0].second);
+    chart.raw("<g class=\"curves\">")
+        .polyline(curve(mapping.paths[at.i][k], most), "#2662d6", 2)
+        .polyline(curve(mapping.reference_paths[at.j][l], most), "#d66000", 2)
+        .raw("</g>");
     return chart.str("chart");
 }
 
@@ -153,19 +176,27 @@ std::string bijection(const Mapping& mapping, Chosen at) {
     const EndComparison& c = mapping.comparisons[at.i][at.j];
     const std::size_t n = mapping.ends.size(), m = mapping.reference_ends.size();
     return matrix(
-        c.distances, "paths", [&](std::size_t k) { return std::to_string(at.i + 1) + " → " + std::to_string((at.i + 1 + k) % n + 1); },
+        c.distances, "paths",
+        [&](std::size_t k) {
+            return std::to_string(at.i + 1) + " → " + std::to_string((at.i + 1 + k) % n + 1);
+        },
         [&](std::size_t l) { return letter(at.j) + " → " + letter((at.j + 1 + l) % m); },
         [&](std::size_t k, std::size_t l) {
-            return std::count(c.osb.path.begin(), c.osb.path.end(), std::pair<int, int>{static_cast<int>(k), static_cast<int>(l)}) ? "chosen" : "";
+            return std::count(c.osb.path.begin(), c.osb.path.end(),
+                              std::pair<int, int>{static_cast<int>(k), static_cast<int>(l)})
+                       ? "chosen"
+                       : "";
         });
 }
 
 std::string end_name(const CharacterStory& story, const Mapping& mapping, std::size_t i) {
-    return std::to_string(i + 1) + " " + std::string(name_of(skeleton_of(story.character).vertices[mapping.ends[i]].label));
+    return std::to_string(i + 1) + " " +
+           std::string(name_of(skeleton_of(story.character).vertices[mapping.ends[i]].label));
 }
 
 std::string column_name(const CharacterStory& story, const Mapping& mapping, std::size_t j) {
-    return letter(j) + " " + escaped(reference_of(story.character, story.workshop).nodes[mapping.reference_ends[j]].name);
+    return letter(j) + " " +
+           escaped(reference_of(story.character, story.workshop).nodes[mapping.reference_ends[j]].name);
 }
 
 } // namespace
@@ -174,9 +205,11 @@ Values paths_chapter(const CharacterStory& story) {
     const Mapping& mapping = story.character.rig->mapping;
     const ReferenceSkeleton& reference = reference_of(story.character, story.workshop);
     const SkeletonGraph& graph = skeleton_of(story.character);
-    const Figure drawn = draw_reference(reference, is_mirrored(identification_of(story.character, story.workshop)));
+    const Figure drawn =
+        draw_reference(reference, is_mirrored(identification_of(story.character, story.workshop)));
     if (mapping.comparisons.empty() || mapping.ends.size() < 2 || mapping.reference_ends.size() < 2)
-        return {{"content", "<p>There is but one end, so there is no path to compare.</p>"}, {"data", "null"}};
+        return {{"content", "<p>There is but one end, so there is no path to compare.</p>"},
+                {"data", "null"}};
     const Chosen at = first_pair(mapping);
     const double most = largest_radius(mapping);
     Svg picture(graph.width, graph.height, "The character's skeleton with its ends numbered clockwise");
@@ -195,9 +228,11 @@ Values paths_chapter(const CharacterStory& story) {
         {{"character", figure(std::move(picture), graph, mapping.ends, false, story.line(), "#2662d6")},
          {"reference", reference_figure(drawn, mapping, reference.name)},
          {"name", escaped(reference.name)},
-         {"similarity", matrix(similarity(mapping), "cost", [&](std::size_t i) { return end_name(story, mapping, i); },
-                               [&](std::size_t j) { return column_name(story, mapping, j); },
-                               [&](std::size_t i, std::size_t j) { return i == at.i && j == at.j ? "chosen" : ""; })},
+         {"similarity",
+          matrix(
+              similarity(mapping), "cost", [&](std::size_t i) { return end_name(story, mapping, i); },
+              [&](std::size_t j) { return column_name(story, mapping, j); },
+              [&](std::size_t i, std::size_t j) { return i == at.i && j == at.j ? "chosen" : ""; })},
          {"pair", std::to_string(at.i + 1) + " and " + letter(at.j)},
          {"bijection", bijection(mapping, at)},
          {"curves", curves(mapping, at, most)}});
@@ -207,8 +242,9 @@ Values paths_chapter(const CharacterStory& story) {
 Values assignment_chapter(const CharacterStory& story) {
     const Mapping& mapping = story.character.rig->mapping;
     const auto paired = [&](std::size_t i, std::size_t j) {
-        return std::any_of(mapping.pairs.begin(), mapping.pairs.end(),
-                           [&](const EndPair& p) { return p.end == mapping.ends[i] && p.reference_end == mapping.reference_ends[j]; });
+        return std::any_of(mapping.pairs.begin(), mapping.pairs.end(), [&](const EndPair& p) {
+            return p.end == mapping.ends[i] && p.reference_end == mapping.reference_ends[j];
+        });
     };
     const MappingOptions& options = story.workshop.options().rigging.mapping;
     std::string list;
@@ -218,13 +254,17 @@ Values assignment_chapter(const CharacterStory& story) {
             if (paired(i, j)) partner = column_name(story, mapping, j);
         list += "<li>" + end_name(story, mapping, i) + " — " + partner + "</li>";
     }
-    return {{"matrix", matrix(mapping.costs, "cost", [&](std::size_t i) { return end_name(story, mapping, i); },
-                              [&](std::size_t j) { return column_name(story, mapping, j); },
-                              [&](std::size_t i, std::size_t j) {
-                                  if (paired(i, j)) return "chosen";
-                                  return options.label_aware && mapping.costs[i][j] >= options.unmatched_cost ? "never" : "";
-                              })},
-            {"pairs", list}, {"count", std::to_string(mapping.pairs.size())}};
+    return {{"matrix", matrix(
+                           mapping.costs, "cost", [&](std::size_t i) { return end_name(story, mapping, i); },
+                           [&](std::size_t j) { return column_name(story, mapping, j); },
+                           [&](std::size_t i, std::size_t j) {
+                               if (paired(i, j)) return "chosen";
+                               return options.label_aware && mapping.costs[i][j] >= options.unmatched_cost
+                                          ? "never"
+                                          : "";
+                           })},
+            {"pairs", list},
+            {"count", std::to_string(mapping.pairs.size())}};
 }
 
 } // namespace pantin

@@ -21,7 +21,9 @@ std::string base64(std::span<const unsigned char> bytes) {
     std::string out;
     out.reserve((bytes.size() + 2) / 3 * 4);
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const auto byte = [&](std::size_t k) { return i + k < bytes.size() ? static_cast<unsigned>(bytes[i + k]) : 0u; };
+        const auto byte = [&](std::size_t k) {
+            return i + k < bytes.size() ? static_cast<unsigned>(bytes[i + k]) : 0u;
+        };
         const unsigned three = byte(0) << 16 | byte(1) << 8 | byte(2);
         out += digits[three >> 18];
         out += digits[three >> 12 & 63];
@@ -37,12 +39,23 @@ std::string escaped(std::string_view text) {
     std::string out;
     for (const char c : text) {
         switch (c) {
-        case '&': out += "&amp;"; break;
-        case '<': out += "&lt;"; break;
-        case '>': out += "&gt;"; break;
-        case '"': out += "&quot;"; break;
-        case '\'': out += "&#39;"; break;
-        default: out += c;
+        case '&':
+            out += "&amp;";
+            break;
+        case '<':
+            out += "&lt;";
+            break;
+        case '>':
+            out += "&gt;";
+            break;
+        case '"':
+            out += "&quot;";
+            break;
+        case '\'':
+            out += "&#39;";
+            break;
+        default:
+            out += c;
         }
     }
     return out;
@@ -50,7 +63,9 @@ std::string escaped(std::string_view text) {
 
 std::string decimal(double value, int decimals) {
     std::array<char, 400> digits; // of the largest double
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals).ptr;
+    const auto end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals)
+            .ptr;
     std::string text(digits.data(), end);
     if (text.find('.') != std::string::npos) {
         text.erase(text.find_last_not_of('0') + 1);
@@ -71,8 +86,10 @@ std::string picture_uri(const GreyImage& image) { return data_uri("image/png", e
 std::string script_json(const nlohmann::ordered_json& value) {
     std::string out;
     for (const char c : to_compact_json_text(value)) {
-        if (c == '<') out += "\\u003c"; // "</script" and "<!--" would end or change the element
-        else out += c;
+        if (c == '<')
+            out += "\\u003c"; // "</script" and "<!--" would end or change the element
+        else
+            out += c;
     }
     return out;
 }
@@ -89,10 +106,12 @@ std::string filled(std::string_view text, const Values& values) {
         const std::size_t open = text.find("{{", at);
         if (open == std::string_view::npos) return out += text.substr(at);
         const std::size_t close = text.find("}}", open);
-        if (close == std::string_view::npos) throw Error(ErrorKind::internal, "a place of a template is not closed");
+        if (close == std::string_view::npos)
+            throw Error(ErrorKind::internal, "a place of a template is not closed");
         const std::string name(text.substr(open + 2, close - open - 2));
         const auto found = values.find(name);
-        if (found == values.end()) throw Error(ErrorKind::internal, "a template's place has no value: " + name);
+        if (found == values.end())
+            throw Error(ErrorKind::internal, "a template's place has no value: " + name);
         out += text.substr(at, open - at);
         out += found->second;
         at = close + 2;

@@ -28,7 +28,8 @@ std::string script_json(const nlohmann::ordered_json& value);
 // A file of src/explain/assets, compiled in. Error(internal) when there is none.
 std::string_view asset(const std::string& name);
 
-// What a template's places {{name}} are filled with. A place without a value is Error(internal), so that no page shows one.
+// What a template's places {{name}} are filled with. A place without a value is Error(internal), so that no
+// page shows one.
 using Values = std::map<std::string, std::string>;
 std::string filled(std::string_view text, const Values& values);
 

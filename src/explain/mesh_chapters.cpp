@@ -21,7 +21,9 @@ std::vector<Point2d> corners(const Mesh& mesh, const std::vector<int>& face) {
     return points;
 }
 
-Rgb8 case_colour(int number) { return number == 15 ? Rgb8{205, 213, 225} : category(static_cast<std::size_t>(number)); }
+Rgb8 case_colour(int number) {
+    return number == 15 ? Rgb8{205, 213, 225} : category(static_cast<std::size_t>(number));
+}
 
 // A voxel with its inside corners marked, as it stands in the legend.
 std::string case_icon(int number) {
@@ -29,7 +31,8 @@ std::string case_icon(int number) {
     icon.raw("<rect x=\"0\" y=\"0\" width=\"20\" height=\"20\" fill=\"" + css(case_colour(number)) + "\"/>");
     constexpr Point2d places[] = {{0, 0}, {20, 0}, {20, 20}, {0, 20}};
     for (int i = 0; i < 4; ++i)
-        icon.raw("<circle cx=\"" + decimal(places[i].x) + "\" cy=\"" + decimal(places[i].y) + "\" r=\"3.5\" stroke=\"#111\" fill=\"" + (number >> i & 1 ? "#111" : "#fff") + "\"/>");
+        icon.raw("<circle cx=\"" + decimal(places[i].x) + "\" cy=\"" + decimal(places[i].y) +
+                 "\" r=\"3.5\" stroke=\"#111\" fill=\"" + (number >> i & 1 ? "#111" : "#fff") + "\"/>");
     return icon.str("icon");
 }
 
@@ -37,14 +40,17 @@ std::string legend(const Mesh& mesh) {
     std::string text;
     for (int number = 1; number <= 15; ++number) {
         const auto count = std::count(mesh.cases.begin(), mesh.cases.end(), number);
-        if (count > 0) text += "<li>" + case_icon(number) + "<span>case " + std::to_string(number) + ": " + std::to_string(count) + "</span></li>";
+        if (count > 0)
+            text += "<li>" + case_icon(number) + "<span>case " + std::to_string(number) + ": " +
+                    std::to_string(count) + "</span></li>";
     }
     return text;
 }
 
 void draw_bones(Svg& svg, const std::vector<Bone>& bones, double scale) {
     for (std::size_t b = 0; b < bones.size(); ++b) {
-        svg.line(bones[b].head, bones[b].tail, "#fff", 4 * scale).line(bones[b].head, bones[b].tail, css(category(b)), 2.4 * scale);
+        svg.line(bones[b].head, bones[b].tail, "#fff", 4 * scale)
+            .line(bones[b].head, bones[b].tail, css(category(b)), 2.4 * scale);
         svg.disc(bones[b].head, 3 * scale, css(category(b)));
     }
 }
@@ -58,7 +64,9 @@ Rgb8 mixed(const Rig& rig, const std::vector<int>& face) {
             const double w = rig.weights[v].weights[k] / static_cast<double>(face.size());
             r += w * c.r, g += w * c.g, b += w * c.b;
         }
-    const auto byte = [](double v) { return static_cast<std::uint8_t>(std::rint(std::clamp(v, 0.0, 255.0))); };
+    const auto byte = [](double v) {
+        return static_cast<std::uint8_t>(std::rint(std::clamp(v, 0.0, 255.0)));
+    };
     return {byte(r), byte(g), byte(b)};
 }
 
@@ -69,7 +77,8 @@ Json weights_data(const Rig& rig) {
     for (const VertexWeights& w : rig.weights) {
         Json entry = Json::array();
         for (int k = 0; k < 4; ++k)
-            if (w.weights[k] > 0) entry.push_back(w.bones[k]), entry.push_back(std::lrint(1000 * w.weights[k]));
+            if (w.weights[k] > 0)
+                entry.push_back(w.bones[k]), entry.push_back(std::lrint(1000 * w.weights[k]));
         weights.push_back(std::move(entry));
     }
     return {{"faces", std::move(faces)}, {"weights", std::move(weights)}};
@@ -80,21 +89,30 @@ Json weights_data(const Rig& rig) {
 Values mesh_chapter(const CharacterStory& story) {
     const Rig& rig = *story.character.rig;
     const double thin = border_width * story.line();
-    Svg picture(rig.width, rig.height, "The mesh, every face in the colour of its marching squares case", ink_margin(rig.width, rig.height));
+    Svg picture(rig.width, rig.height, "The mesh, every face in the colour of its marching squares case",
+                ink_margin(rig.width, rig.height));
     picture.underlay(story.drawing(), 0.5).raw("<g fill-opacity=\".72\">");
     for (std::size_t f = 0; f < rig.mesh.faces.size(); ++f)
-        picture.polygon(corners(rig.mesh, rig.mesh.faces[f]), css(case_colour(f < rig.mesh.cases.size() ? rig.mesh.cases[f] : 15)), "#333", thin);
+        picture.polygon(corners(rig.mesh, rig.mesh.faces[f]),
+                        css(case_colour(f < rig.mesh.cases.size() ? rig.mesh.cases[f] : 15)), "#333", thin);
     picture.raw("</g>");
-    const auto cut = std::count_if(rig.mesh.cases.begin(), rig.mesh.cases.end(), [](int c) { return c != 15; });
-    return {{"picture", picture.str()}, {"legend", legend(rig.mesh)}, {"faces", std::to_string(rig.mesh.faces.size())},
-            {"vertices", std::to_string(rig.mesh.vertices.size())}, {"cut", std::to_string(cut)}};
+    const auto cut =
+        std::count_if(rig.mesh.cases.begin(), rig.mesh.cases.end(), [](int c) { return c != 15; });
+    return {{"picture", picture.str()},
+            {"legend", legend(rig.mesh)},
+            {"faces", std::to_string(rig.mesh.faces.size())},
+            {"vertices", std::to_string(rig.mesh.vertices.size())},
+            {"cut", std::to_string(cut)}};
 }
 
 Values weights_chapter(const CharacterStory& story) {
     const Rig& rig = *story.character.rig;
-    Svg picture(rig.width, rig.height, "The mesh in the mixed colours of the bones that move it, and the bones", ink_margin(rig.width, rig.height));
+    Svg picture(rig.width, rig.height,
+                "The mesh in the mixed colours of the bones that move it, and the bones",
+                ink_margin(rig.width, rig.height));
     picture.underlay(story.drawing(), 0.4).raw("<g class=\"faces\" fill-opacity=\".7\">");
-    for (const auto& face : rig.mesh.faces) picture.polygon(corners(rig.mesh, face), css(mixed(rig, face)), "none", 0);
+    for (const auto& face : rig.mesh.faces)
+        picture.polygon(corners(rig.mesh, face), css(mixed(rig, face)), "none", 0);
     picture.raw("</g>");
     draw_bones(picture, rig.bones, story.line());
     std::string options, list;
@@ -102,9 +120,15 @@ Values weights_chapter(const CharacterStory& story) {
         const std::string name = escaped(rig.bones[b].name);
         options += "<option value=\"" + std::to_string(b) + "\">" + name + "</option>";
         list += "<li><span class=\"swatch\" style=\"background:" + css(category(b)) + "\"></span>" + name +
-                (rig.bones[b].parent < 0 ? " (root)" : " — hangs on " + escaped(rig.bones[rig.bones[b].parent].name)) + "</li>";
+                (rig.bones[b].parent < 0 ? " (root)"
+                                         : " — hangs on " + escaped(rig.bones[rig.bones[b].parent].name)) +
+                "</li>";
     }
-    return {{"picture", picture.str("weights")}, {"data", script_json(weights_data(rig))}, {"options", options}, {"bones", list}, {"count", std::to_string(rig.bones.size())}};
+    return {{"picture", picture.str("weights")},
+            {"data", script_json(weights_data(rig))},
+            {"options", options},
+            {"bones", list},
+            {"count", std::to_string(rig.bones.size())}};
 }
 
 } // namespace pantin

@@ -24,7 +24,8 @@ std::string glb_uri(const Rig& rig, const RgbaImage& texture, const std::vector<
 }
 
 // The first clip as a small film that needs no script; nothing when this program writes no such films.
-std::string film_uri(const Rig& rig, const RgbaImage& texture, const std::vector<BoneAnimation>& animations, const CharacterStory& story) {
+std::string film_uri(const Rig& rig, const RgbaImage& texture, const std::vector<BoneAnimation>& animations,
+                     const CharacterStory& story) {
     Settings settings = story.workshop.settings();
     settings.render.fps = film_fps;
     settings.render.picture = {};
@@ -37,13 +38,13 @@ std::string film_uri(const Rig& rig, const RgbaImage& texture, const std::vector
 
 std::string clip_options(const std::vector<BoneAnimation>& animations) {
     std::string text;
-    for (const BoneAnimation& a : animations)
-        text += "<option>" + escaped(a.name) + "</option>";
+    for (const BoneAnimation& a : animations) text += "<option>" + escaped(a.name) + "</option>";
     return text;
 }
 
 std::string film_element(const std::string& uri, const std::string& name) {
-    return "<img class=\"film\" alt=\"The character playing its clip " + escaped(name) + "\" src=\"" + uri + "\">";
+    return "<img class=\"film\" alt=\"The character playing its clip " + escaped(name) + "\" src=\"" + uri +
+           "\">";
 }
 
 Json viewer_data(const std::string& glb, const Rig& rig) {
@@ -59,14 +60,20 @@ Json viewer_data(const std::string& glb, const Rig& rig) {
 Values motion_chapter(const CharacterStory& story) {
     Character& character = story.character;
     const Rig& rig = *character.rig;
-    const std::vector<BoneAnimation> animations = animations_of(rig, reference_of(character, story.workshop), story.workshop);
-    if (animations.empty()) return {{"film", "<p>The reference has no clips.</p>"}, {"clips", ""}, {"data", "null"}, {"facts", ""}};
+    const std::vector<BoneAnimation> animations =
+        animations_of(rig, reference_of(character, story.workshop), story.workshop);
+    if (animations.empty())
+        return {
+            {"film", "<p>The reference has no clips.</p>"}, {"clips", ""}, {"data", "null"}, {"facts", ""}};
     const RgbaImage texture = make_texture(small_drawing(character), labels_of(character));
     std::string facts;
     for (const BoneAnimation& a : animations)
-        facts += "<tr><td>" + escaped(a.name) + "</td><td>" + decimal(a.duration, 2) + "</td><td>" + decimal(a.ground_speed, 2) + "</td></tr>";
-    return {{"film", film_element(film_uri(rig, texture, animations, story), animations.front().name)}, {"clips", clip_options(animations)},
-            {"data", script_json(viewer_data(glb_uri(rig, texture, animations), rig))}, {"facts", facts}};
+        facts += "<tr><td>" + escaped(a.name) + "</td><td>" + decimal(a.duration, 2) + "</td><td>" +
+                 decimal(a.ground_speed, 2) + "</td></tr>";
+    return {{"film", film_element(film_uri(rig, texture, animations, story), animations.front().name)},
+            {"clips", clip_options(animations)},
+            {"data", script_json(viewer_data(glb_uri(rig, texture, animations), rig))},
+            {"facts", facts}};
 }
 
 Values solid_chapter(const CharacterStory& story) {
@@ -78,11 +85,17 @@ Values solid_chapter(const CharacterStory& story) {
     view.width = labels.width();
     view.height = labels.height();
     const Rig rig = lifted(*character.rig, model, mesh, view);
-    const std::vector<BoneAnimation> animations = animations_of(rig, reference_of(character, story.workshop), story.workshop);
+    const std::vector<BoneAnimation> animations =
+        animations_of(rig, reference_of(character, story.workshop), story.workshop);
     const RgbaImage texture = make_solid_texture(small_drawing(character), labels);
-    Values values = {{"clips", clip_options(animations)}, {"parts", std::to_string(model.parts().size())}, {"triangles", std::to_string(mesh.triangles.size())},
-                     {"vertices", std::to_string(mesh.vertices.size())}, {"data", script_json(viewer_data(glb_uri(rig, texture, animations), rig))}};
-    values["film"] = animations.empty() ? "" : film_element(film_uri(rig, texture, animations, story), animations.front().name);
+    Values values = {{"clips", clip_options(animations)},
+                     {"parts", std::to_string(model.parts().size())},
+                     {"triangles", std::to_string(mesh.triangles.size())},
+                     {"vertices", std::to_string(mesh.vertices.size())},
+                     {"data", script_json(viewer_data(glb_uri(rig, texture, animations), rig))}};
+    values["film"] = animations.empty()
+                         ? ""
+                         : film_element(film_uri(rig, texture, animations, story), animations.front().name);
     return values;
 }
 

@@ -28,19 +28,20 @@ bool has_voronoi(const Character& c) { return has_skeleton(c) && !c.skeletonizat
 bool has_identification(const Character& c) { return c.identification.has_value(); }
 bool has_rig(const Character& c) { return c.rig.has_value(); }
 
-constexpr std::array<Chapter, 13> chapters = {{{"silhouette", "The silhouette", silhouette_chapter, has_mask},
-                                               {"segment", "The parts", segment_chapter, has_labels},
-                                               {"contour", "The border", contour_chapter, has_skeleton},
-                                               {"voronoi", "The Voronoi diagram", voronoi_chapter, has_voronoi},
-                                               {"thinning", "Thinning", thinning_chapter, has_skeleton},
-                                               {"graph", "The skeleton graph", graph_chapter, has_skeleton},
-                                               {"identify", "What it moves like", identify_chapter, has_identification},
-                                               {"paths", "Paths between ends", paths_chapter, has_rig},
-                                               {"assignment", "Which end is which", assignment_chapter, has_rig},
-                                               {"mesh", "The mesh", mesh_chapter, has_rig},
-                                               {"weights", "Bones and weights", weights_chapter, has_rig},
-                                               {"motion", "The animation", motion_chapter, has_rig},
-                                               {"solid", "Inflated to a solid", solid_chapter, has_rig}}};
+constexpr std::array<Chapter, 13> chapters = {
+    {{"silhouette", "The silhouette", silhouette_chapter, has_mask},
+     {"segment", "The parts", segment_chapter, has_labels},
+     {"contour", "The border", contour_chapter, has_skeleton},
+     {"voronoi", "The Voronoi diagram", voronoi_chapter, has_voronoi},
+     {"thinning", "Thinning", thinning_chapter, has_skeleton},
+     {"graph", "The skeleton graph", graph_chapter, has_skeleton},
+     {"identify", "What it moves like", identify_chapter, has_identification},
+     {"paths", "Paths between ends", paths_chapter, has_rig},
+     {"assignment", "Which end is which", assignment_chapter, has_rig},
+     {"mesh", "The mesh", mesh_chapter, has_rig},
+     {"weights", "Bones and weights", weights_chapter, has_rig},
+     {"motion", "The animation", motion_chapter, has_rig},
+     {"solid", "Inflated to a solid", solid_chapter, has_rig}}};
 
 // {{option x.y}}: the option and the value that this run took.
 void add_options(Values& values, const Options& options) {
@@ -48,7 +49,8 @@ void add_options(Values& values, const Options& options) {
         values["option " + name] = "<code>" + name + " = " + escaped(value) + "</code>";
 }
 
-constexpr std::size_t most_solids = 6; // a page with more characters has no solids: their meshes are the heaviest part of it
+constexpr std::size_t most_solids =
+    6; // a page with more characters has no solids: their meshes are the heaviest part of it
 
 struct Text {
     std::string chapters, contents;
@@ -61,7 +63,8 @@ void add_chapter(Text& text, const Chapter& chapter, const CharacterStory& story
     try {
         values = chapter.values(story);
     } catch (const Error& error) { // a solid that cannot be built, say: the other chapters do not need it
-        text.chapters += "<article class=\"chapter\" id=\"" + id + "\"><h3>" + chapter.title + "</h3><p>Not for this character: " + escaped(error.what()) + ".</p></article>";
+        text.chapters += "<article class=\"chapter\" id=\"" + id + "\"><h3>" + chapter.title +
+                         "</h3><p>Not for this character: " + escaped(error.what()) + ".</p></article>";
         return;
     }
     add_options(values, story.workshop.options());
@@ -69,37 +72,49 @@ void add_chapter(Text& text, const Chapter& chapter, const CharacterStory& story
     values["folder"] = story.id;
     const auto data = values.find("data");
     text.contents += "<li><a href=\"#" + id + "\">" + chapter.title + "</a></li>";
-    text.chapters += "<article class=\"chapter\" id=\"" + id + "\" data-widget=\"" + chapter.name + "\" aria-labelledby=\"" + id + "-title\"><h3 id=\"" + id +
-                     "-title\">" + chapter.title + "</h3>" + filled(asset("chapters/" + std::string(chapter.name) + ".html"), values) +
-                     (data == values.end() ? "" : "<script type=\"application/json\" class=\"data\">" + data->second + "</script>") + "</article>\n";
+    text.chapters += "<article class=\"chapter\" id=\"" + id + "\" data-widget=\"" + chapter.name +
+                     "\" aria-labelledby=\"" + id + "-title\"><h3 id=\"" + id + "-title\">" + chapter.title +
+                     "</h3>" + filled(asset("chapters/" + std::string(chapter.name) + ".html"), values) +
+                     (data == values.end() ? ""
+                                           : "<script type=\"application/json\" class=\"data\">" +
+                                                 data->second + "</script>") +
+                     "</article>\n";
 }
 
 // The drawing once, for all pictures over it.
 std::string drawing_element(const CharacterStory& story) {
-    return "<svg class=\"store\" aria-hidden=\"true\"><defs><image id=\"" + story.drawing() + "\" href=\"" + picture_uri(small_drawing(story.character)) +
-           "\" x=\"-0.5\" y=\"-0.5\" width=\"" + std::to_string(story.width()) + "\" height=\"" + std::to_string(story.height()) +
+    return "<svg class=\"store\" aria-hidden=\"true\"><defs><image id=\"" + story.drawing() + "\" href=\"" +
+           picture_uri(small_drawing(story.character)) + "\" x=\"-0.5\" y=\"-0.5\" width=\"" +
+           std::to_string(story.width()) + "\" height=\"" + std::to_string(story.height()) +
            "\" preserveAspectRatio=\"none\"/></defs></svg>";
 }
 
 void add_character(Text& text, const CharacterStory& story) {
     const bool done = story.entry.status == "ok";
-    text.contents += "<li><details" + std::string(text.chapters.empty() ? " open" : "") + "><summary><a href=\"#" + story.id + "\">" + story.id + "</a></summary><ol>";
-    text.chapters += "<section class=\"character\" id=\"" + story.id + "\"><h2>" + story.id + "</h2>" + drawing_element(story) +
-                     (done ? "" : "<p class=\"stopped\">This character could not go on. " + escaped(story.entry.status) + ".</p>");
+    text.contents += "<li><details" + std::string(text.chapters.empty() ? " open" : "") +
+                     "><summary><a href=\"#" + story.id + "\">" + story.id + "</a></summary><ol>";
+    text.chapters += "<section class=\"character\" id=\"" + story.id + "\"><h2>" + story.id + "</h2>" +
+                     drawing_element(story) +
+                     (done ? ""
+                           : "<p class=\"stopped\">This character could not go on. " +
+                                 escaped(story.entry.status) + ".</p>");
     for (const Chapter& chapter : chapters) {
         if (!chapter.reached(story.character) || (chapter.values == solid_chapter && !text.solids)) continue;
         story.workshop.progress(story.id + ": " + chapter.name);
         add_chapter(text, chapter, story);
     }
     if (!text.solids)
-        text.chapters += "<p>The page has many characters, so their solids are left out: <code>pantin model DIR/" + story.id + " --animate</code> makes this one's.</p>";
+        text.chapters +=
+            "<p>The page has many characters, so their solids are left out: <code>pantin model DIR/" +
+            story.id + " --animate</code> makes this one's.</p>";
     text.contents += "</ol></details></li>";
     text.chapters += "</section>\n";
 }
 
 std::string scripts() {
     std::string text;
-    for (const char* name : {"core", "voronoi", "thinning", "segment", "paths", "weights", "viewer", "start"}) text += asset("js/" + std::string(name) + ".js");
+    for (const char* name : {"core", "voronoi", "thinning", "segment", "paths", "weights", "viewer", "start"})
+        text += asset("js/" + std::string(name) + ".js");
     return "(() => {\n\"use strict\";\n" + text + "})();\n";
 }
 
@@ -109,7 +124,8 @@ std::string page_text(DetectedPage& detected, Workshop& workshop) {
     Values page = page_chapter(detected);
     add_options(page, workshop.options());
     for (std::size_t i = 0; i < detected.characters.size(); ++i)
-        add_character(text, {detected.page.characters[i].folder, detected.page.characters[i], detected.characters[i], workshop});
+        add_character(text, {detected.page.characters[i].folder, detected.page.characters[i],
+                             detected.characters[i], workshop});
     return filled(asset("page.html"), {{"source", escaped(detected.page.source)},
                                        {"style", std::string(asset("page.css"))},
                                        {"contents", text.contents},

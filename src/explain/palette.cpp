@@ -17,11 +17,15 @@ std::string css(Rgb8 colour) {
 
 Rgb8 heat(double share) {
     // Five of its colours; linear in between.
-    constexpr std::array<Rgb8, 5> stops = {{{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}}};
+    constexpr std::array<Rgb8, 5> stops = {
+        {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}}};
     const double at = 4 * std::clamp(share, 0.0, 1.0);
     const int i = std::min(3, static_cast<int>(at));
-    const auto mix = [&](int a, int b) { return static_cast<std::uint8_t>(std::rint(a + (at - i) * (b - a))); };
-    return {mix(stops[i].r, stops[i + 1].r), mix(stops[i].g, stops[i + 1].g), mix(stops[i].b, stops[i + 1].b)};
+    const auto mix = [&](int a, int b) {
+        return static_cast<std::uint8_t>(std::rint(a + (at - i) * (b - a)));
+    };
+    return {mix(stops[i].r, stops[i + 1].r), mix(stops[i].g, stops[i + 1].g),
+            mix(stops[i].b, stops[i + 1].b)};
 }
 
 } // namespace pantin

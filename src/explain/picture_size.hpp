@@ -14,7 +14,8 @@ inline RgbImage small_drawing(Character& character) {
     const RgbImage& drawing = drawing_of(character);
     const double factor = side / std::max(drawing.width(), drawing.height());
     if (factor >= 1) return drawing;
-    return resize(drawing, std::max(1, static_cast<int>(std::lrint(drawing.width() * factor))), std::max(1, static_cast<int>(std::lrint(drawing.height() * factor))));
+    return resize(drawing, std::max(1, static_cast<int>(std::lrint(drawing.width() * factor))),
+                  std::max(1, static_cast<int>(std::lrint(drawing.height() * factor))));
 }
 
 } // namespace pantin

@@ -14,7 +14,9 @@ namespace {
 RgbaImage veil(const Grid<float>& probability, Rgb8 colour) {
     RgbaImage image(probability.width(), probability.height());
     std::transform(probability.begin(), probability.end(), image.begin(), [&](float p) {
-        return Rgba8{colour.r, colour.g, colour.b, static_cast<std::uint8_t>(std::lrint(255 * std::clamp(static_cast<double>(p), 0.0, 1.0)))};
+        return Rgba8{
+            colour.r, colour.g, colour.b,
+            static_cast<std::uint8_t>(std::lrint(255 * std::clamp(static_cast<double>(p), 0.0, 1.0)))};
     });
     return image;
 }
@@ -25,27 +27,32 @@ std::string maps(const CharacterStory& story, const Segmentation& segmentation) 
         const std::string name(label_names[l]);
         Svg map(story.width(), story.height(), "Where the network sees " + name);
         map.underlay(story.drawing(), 0.35);
-        map.image(picture_uri(veil(segmentation.probabilities[l], part_palette[l])), story.width(), story.height(), 0.9);
-        figures += "<figure data-label=\"" + name + "\">" + map.str("map") + "<figcaption><span class=\"swatch part-" + name + "\"></span>" +
-                   name + " <output></output></figcaption></figure>";
+        map.image(picture_uri(veil(segmentation.probabilities[l], part_palette[l])), story.width(),
+                  story.height(), 0.9);
+        figures += "<figure data-label=\"" + name + "\">" + map.str("map") +
+                   "<figcaption><span class=\"swatch part-" + name + "\"></span>" + name +
+                   " <output></output></figcaption></figure>";
     }
     return figures;
 }
 
 std::string bar(const std::string& name, double share, bool chosen) {
     return "<tr" + std::string(chosen ? " class=\"chosen\"" : "") + "><th scope=\"row\">" + escaped(name) +
-           "</th><td class=\"bar\"><span style=\"width:" + decimal(100 * share, 1) + "%\"></span></td><td>" + decimal(share, 3) + "</td></tr>";
+           "</th><td class=\"bar\"><span style=\"width:" + decimal(100 * share, 1) + "%\"></span></td><td>" +
+           decimal(share, 3) + "</td></tr>";
 }
 
 std::string router(const Segmentation& segmentation) {
     std::string rows;
-    for (const auto& [name, share] : segmentation.router) rows += bar(name, share, name == segmentation.expert);
+    for (const auto& [name, share] : segmentation.router)
+        rows += bar(name, share, name == segmentation.expert);
     return rows;
 }
 
 std::string pose(const Segmentation& segmentation) {
     std::string rows;
-    const auto best = std::max_element(segmentation.pose.begin(), segmentation.pose.end()) - segmentation.pose.begin();
+    const auto best =
+        std::max_element(segmentation.pose.begin(), segmentation.pose.end()) - segmentation.pose.begin();
     for (std::size_t i = 0; i < segmentation.pose.size(); ++i)
         rows += bar(pose_names[i], segmentation.pose[i], static_cast<std::ptrdiff_t>(i) == best);
     return rows;
@@ -53,7 +60,8 @@ std::string pose(const Segmentation& segmentation) {
 
 std::string areas(const LabelMap& labels) {
     std::string rows;
-    const double silhouette = static_cast<double>(labels.size() - static_cast<std::size_t>(std::count(labels.begin(), labels.end(), 0)));
+    const double silhouette = static_cast<double>(
+        labels.size() - static_cast<std::size_t>(std::count(labels.begin(), labels.end(), 0)));
     for (int l = 1; l < label_count; ++l) {
         const double area = static_cast<double>(std::count(labels.begin(), labels.end(), l));
         rows += bar(std::string(label_names[l]), silhouette > 0 ? area / silhouette : 0, area > 0);
@@ -67,7 +75,8 @@ Svg painted(const CharacterStory& story, const LabelMap& labels) {
         const Rgb8 c = part_palette[labels.data()[i]];
         image.data()[i] = {c.r, c.g, c.b, static_cast<std::uint8_t>(labels.data()[i] ? 130 : 0)};
     }
-    Svg picture(labels.width(), labels.height(), "The drawing with every pixel of the silhouette in the colour of its part");
+    Svg picture(labels.width(), labels.height(),
+                "The drawing with every pixel of the silhouette in the colour of its part");
     picture.underlay(story.drawing()).image(picture_uri(image), labels.width(), labels.height());
     return picture;
 }
@@ -79,8 +88,11 @@ Values segment_chapter(const CharacterStory& story) {
     Values values = {{"picture", painted(story, labels).str()}, {"areas", areas(labels)}};
     if (const auto& segmentation = story.character.segmentation) {
         values["network"] = filled(asset("chapters/segment-network.html"),
-                                   {{"maps", maps(story, *segmentation)}, {"router", router(*segmentation)}, {"pose", pose(*segmentation)},
-                                    {"expert", escaped(segmentation->expert)}, {"sureness", decimal(segmentation->sureness, 3)},
+                                   {{"maps", maps(story, *segmentation)},
+                                    {"router", router(*segmentation)},
+                                    {"pose", pose(*segmentation)},
+                                    {"expert", escaped(segmentation->expert)},
+                                    {"sureness", decimal(segmentation->sureness, 3)},
                                     {"strokes", decimal(segmentation->stroke_ratio, 2)}});
     } else {
         values["network"] = "<p>The part labels of this character were given, so no network was asked.</p>";

@@ -16,8 +16,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const Skeletonization& skeletonization(const CharacterStory& story) { return *story.character.skeletonization; }
-const SkeletonizationOptions& options_of(const CharacterStory& story) { return story.workshop.options().skeletonization; }
+const Skeletonization& skeletonization(const CharacterStory& story) {
+    return *story.character.skeletonization;
+}
+const SkeletonizationOptions& options_of(const CharacterStory& story) {
+    return story.workshop.options().skeletonization;
+}
 
 std::vector<Point2d> to_points(const std::vector<Point2i>& pixels) {
     std::vector<Point2d> points;
@@ -25,14 +29,19 @@ std::vector<Point2d> to_points(const std::vector<Point2i>& pixels) {
     return points;
 }
 
-std::string count_of(std::size_t n, const char* one, const char* many) { return std::to_string(n) + " " + (n == 1 ? one : many); }
+std::string count_of(std::size_t n, const char* one, const char* many) {
+    return std::to_string(n) + " " + (n == 1 ? one : many);
+}
 
-// --- Voronoi ------------------------------------------------------------------------------------------------
+// --- Voronoi
+// ------------------------------------------------------------------------------------------------
 
 // The edges in eight groups of like residual, so that the picture needs no script.
 constexpr int shades = 8;
 
-double finite_residual(double residual, double most) { return std::isfinite(residual) ? std::min(residual, most) : most; }
+double finite_residual(double residual, double most) {
+    return std::isfinite(residual) ? std::min(residual, most) : most;
+}
 
 // What the picture's scale ends at: enough to tell residuals around the threshold apart.
 double most_residual(const std::vector<double>& residuals, double threshold) {
@@ -67,11 +76,13 @@ std::string shaded_edges(const Skeletonization& s, double most, double width) {
     std::array<std::string, shades> paths;
     for (std::size_t i = 0; i < s.voronoi.size(); ++i) {
         const double share = std::sqrt(std::max(0.0, finite_residual(s.residuals[i], most)) / most);
-        paths[std::min(shades - 1, static_cast<int>(share * shades))] += path_text({s.voronoi[i].from, s.voronoi[i].to}, false);
+        paths[std::min(shades - 1, static_cast<int>(share * shades))] +=
+            path_text({s.voronoi[i].from, s.voronoi[i].to}, false);
     }
     std::string text;
     for (int k = 0; k < shades; ++k)
-        text += "<path d=\"" + paths[k] + "\" fill=\"none\" stroke=\"" + css(heat((k + 0.5) / shades)) + "\" stroke-width=\"" + decimal(width, 2) + "\"/>";
+        text += "<path d=\"" + paths[k] + "\" fill=\"none\" stroke=\"" + css(heat((k + 0.5) / shades)) +
+                "\" stroke-width=\"" + decimal(width, 2) + "\"/>";
     return "<g class=\"edges\">" + text + "</g>";
 }
 
@@ -86,19 +97,24 @@ Json edge_data(const Skeletonization& s, double most) {
     return numbers;
 }
 
-// --- thinning -----------------------------------------------------------------------------------------------
+// --- thinning
+// -----------------------------------------------------------------------------------------------
 
-// What a script needs of a thinning, as a picture: red 1 where it began with a pixel; green and blue the sub-iteration that took it.
+// What a script needs of a thinning, as a picture: red 1 where it began with a pixel; green and blue the
+// sub-iteration that took it.
 RgbImage thinning_data(const Mask& before, const Grid<std::uint16_t>& removed_in) {
     RgbImage image(before.width(), before.height());
     for (std::size_t i = 0; i < before.size(); ++i) {
         const unsigned step = removed_in.data()[i];
-        image.data()[i] = {static_cast<std::uint8_t>(before.data()[i]), static_cast<std::uint8_t>(step >> 8), static_cast<std::uint8_t>(step & 255)};
+        image.data()[i] = {static_cast<std::uint8_t>(before.data()[i]), static_cast<std::uint8_t>(step >> 8),
+                           static_cast<std::uint8_t>(step & 255)};
     }
     return image;
 }
 
-int last_step(const Grid<std::uint16_t>& removed_in) { return removed_in.empty() ? 0 : *std::max_element(removed_in.begin(), removed_in.end()); }
+int last_step(const Grid<std::uint16_t>& removed_in) {
+    return removed_in.empty() ? 0 : *std::max_element(removed_in.begin(), removed_in.end());
+}
 
 // Pixels that went, coloured by when; the ones that stayed in black.
 RgbaImage thinning_picture(const Skeletonization& s) {
@@ -122,12 +138,17 @@ Values contour_chapter(const CharacterStory& story) {
     for (std::size_t i = 0; i < s.contour.size(); ++i) {
         const Border& border = s.contour[i];
         picture.polyline(to_points(border.points), css(category(i)), 1.4 * story.line(), true);
-        if (!border.points.empty()) picture.disc(to_double(border.points.front()), 3 * story.line(), css(category(i)));
-        rows += "<tr><td><span class=\"swatch\" style=\"background:" + css(category(i)) + "\"></span>" + std::to_string(i) + "</td><td>" +
-                (border.outer ? "outer border" : "border of a hole") + "</td><td>" + (border.parent < 0 ? "the frame" : std::to_string(border.parent)) +
-                "</td><td>" + std::to_string(border.points.size()) + "</td><td>" + decimal(closed_length(border.points)) + "</td></tr>";
+        if (!border.points.empty())
+            picture.disc(to_double(border.points.front()), 3 * story.line(), css(category(i)));
+        rows += "<tr><td><span class=\"swatch\" style=\"background:" + css(category(i)) + "\"></span>" +
+                std::to_string(i) + "</td><td>" + (border.outer ? "outer border" : "border of a hole") +
+                "</td><td>" + (border.parent < 0 ? "the frame" : std::to_string(border.parent)) +
+                "</td><td>" + std::to_string(border.points.size()) + "</td><td>" +
+                decimal(closed_length(border.points)) + "</td></tr>";
     }
-    return {{"picture", picture.str()}, {"rows", rows}, {"count", count_of(s.contour.size(), "border", "borders")}};
+    return {{"picture", picture.str()},
+            {"rows", rows},
+            {"count", count_of(s.contour.size(), "border", "borders")}};
 }
 
 Values voronoi_chapter(const CharacterStory& story) {
@@ -135,34 +156,53 @@ Values voronoi_chapter(const CharacterStory& story) {
     const SkeletonizationOptions& options = options_of(story);
     const double threshold = s.threshold;
     const double most = most_residual(s.residuals, threshold);
-    Svg picture(s.mask.width(), s.mask.height(), "Edges of the Voronoi diagram inside the silhouette, coloured by their residual");
+    Svg picture(s.mask.width(), s.mask.height(),
+                "Edges of the Voronoi diagram inside the silhouette, coloured by their residual");
     picture.underlay(story.drawing(), 0.3).raw(shaded_edges(s, most, 0.9 * story.line()));
-    Svg lands(s.mask.width(), s.mask.height(), "Cells of the Voronoi diagram inside the silhouette, each in the colour of its border pixel");
+    Svg lands(s.mask.width(), s.mask.height(),
+              "Cells of the Voronoi diagram inside the silhouette, each in the colour of its border pixel");
     lands.underlay(story.drawing(), 0.3).image(picture_uri(cells(s)), s.mask.width(), s.mask.height());
-    const auto kept = std::count_if(s.residuals.begin(), s.residuals.end(), [&](double r) { return r >= threshold; });
+    const auto kept =
+        std::count_if(s.residuals.begin(), s.residuals.end(), [&](double r) { return r >= threshold; });
     Json data;
     data["threshold"] = threshold;
     data["most"] = most;
     data["edges"] = edge_data(s, most);
-    return {{"picture", picture.str("voronoi")}, {"cells", lands.str("cells")}, {"data", script_json(data)}, {"count", std::to_string(s.voronoi.size())}, {"kept", std::to_string(kept)},
-            {"threshold", decimal(threshold)}, {"most", decimal(most)}, {"residual", options.residual == Residual::chord ? "chord" : "arc"},
+    return {{"picture", picture.str("voronoi")},
+            {"cells", lands.str("cells")},
+            {"data", script_json(data)},
+            {"count", std::to_string(s.voronoi.size())},
+            {"kept", std::to_string(kept)},
+            {"threshold", decimal(threshold)},
+            {"most", decimal(most)},
+            {"residual", options.residual == Residual::chord ? "chord" : "arc"},
             {"slider", decimal(std::min(threshold, most))}};
 }
 
 Values thinning_chapter(const CharacterStory& story) {
     const Skeletonization& s = skeletonization(story);
     const int width = s.mask.width(), height = s.mask.height();
-    Svg picture(width, height, "What thinning began with, coloured by when a pixel went, and in black what stayed");
+    Svg picture(width, height,
+                "What thinning began with, coloured by when a pixel went, and in black what stayed");
     picture.underlay(story.drawing(), 0.3).image(picture_uri(thinning_picture(s)), width, height);
     const Thinning whole = zhang_suen_steps(s.mask); // for comparison: what thinning alone makes of the shape
     Json data;
     data["width"] = width;
     data["height"] = height;
-    data["ridges"] = {{"picture", picture_uri(thinning_data(s.voronoi_raster, s.thinned_in))}, {"last", last_step(s.thinned_in)}};
-    data["silhouette"] = {{"picture", picture_uri(thinning_data(s.mask, whole.removed_in))}, {"last", last_step(whole.removed_in)}};
-    const auto pixels = [](const Mask& mask) { return std::to_string(std::count(mask.begin(), mask.end(), 1)); };
-    return {{"picture", picture.str("still")}, {"data", script_json(data)}, {"before", pixels(s.voronoi_raster)}, {"thinned", pixels(s.thinned)},
-            {"after", pixels(s.skeleton)}, {"steps", std::to_string(last_step(s.thinned_in))}, {"whole_steps", std::to_string(last_step(whole.removed_in))}};
+    data["ridges"] = {{"picture", picture_uri(thinning_data(s.voronoi_raster, s.thinned_in))},
+                      {"last", last_step(s.thinned_in)}};
+    data["silhouette"] = {{"picture", picture_uri(thinning_data(s.mask, whole.removed_in))},
+                          {"last", last_step(whole.removed_in)}};
+    const auto pixels = [](const Mask& mask) {
+        return std::to_string(std::count(mask.begin(), mask.end(), 1));
+    };
+    return {{"picture", picture.str("still")},
+            {"data", script_json(data)},
+            {"before", pixels(s.voronoi_raster)},
+            {"thinned", pixels(s.thinned)},
+            {"after", pixels(s.skeleton)},
+            {"steps", std::to_string(last_step(s.thinned_in))},
+            {"whole_steps", std::to_string(last_step(whole.removed_in))}};
 }
 
 Values graph_chapter(const CharacterStory& story) {
@@ -170,18 +210,24 @@ Values graph_chapter(const CharacterStory& story) {
     const auto shown = [&](const SkeletonGraph& graph, const char* title) {
         Svg picture(s.mask.width(), s.mask.height(), title);
         picture.underlay(story.drawing(), 0.3).graph(graph, story.line());
-        const auto ends = std::count_if(graph.vertices.begin(), graph.vertices.end(), [](const SkeletonVertex& v) { return v.end; });
-        return "<figure>" + picture.str() + "<figcaption>" + title + ": " + count_of(graph.vertices.size(), "vertex", "vertices") + " (" +
-               count_of(static_cast<std::size_t>(ends), "end", "ends") + "), " + count_of(graph.edges.size(), "edge", "edges") + ".</figcaption></figure>";
+        const auto ends = std::count_if(graph.vertices.begin(), graph.vertices.end(),
+                                        [](const SkeletonVertex& v) { return v.end; });
+        return "<figure>" + picture.str() + "<figcaption>" + title + ": " +
+               count_of(graph.vertices.size(), "vertex", "vertices") + " (" +
+               count_of(static_cast<std::size_t>(ends), "end", "ends") + "), " +
+               count_of(graph.edges.size(), "edge", "edges") + ".</figcaption></figure>";
     };
     std::string rows;
     for (std::size_t i = 0; i < s.graph.vertices.size(); ++i) {
         const SkeletonVertex& v = s.graph.vertices[i];
-        rows += "<tr><td>" + std::to_string(i) + "</td><td>" + decimal(v.x) + ", " + decimal(v.y) + "</td><td><span class=\"swatch part-" +
-                std::string(name_of(v.label)) + "\"></span>" + std::string(name_of(v.label)) + "</td><td>" + (v.end ? "end" : "junction") + "</td></tr>";
+        rows += "<tr><td>" + std::to_string(i) + "</td><td>" + decimal(v.x) + ", " + decimal(v.y) +
+                "</td><td><span class=\"swatch part-" + std::string(name_of(v.label)) + "\"></span>" +
+                std::string(name_of(v.label)) + "</td><td>" + (v.end ? "end" : "junction") + "</td></tr>";
     }
-    return {{"pictures", shown(s.raw, "Raw") + shown(s.after_h1, "After H1") + shown(s.graph, "After H2")}, {"rows", rows},
-            {"epsilon", decimal(options_of(story).merge_distance * std::max(s.mask.width(), s.mask.height()) / 321)}};
+    return {{"pictures", shown(s.raw, "Raw") + shown(s.after_h1, "After H1") + shown(s.graph, "After H2")},
+            {"rows", rows},
+            {"epsilon",
+             decimal(options_of(story).merge_distance * std::max(s.mask.width(), s.mask.height()) / 321)}};
 }
 
 } // namespace pantin

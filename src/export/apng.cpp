@@ -1,5 +1,5 @@
-// Animated PNG (W3C PNG, third edition, 11.3.5): the frames' own PNG streams, taken apart and numbered. Readers that do not
-// know the animation chunks show the first frame.
+// Animated PNG (W3C PNG, third edition, 11.3.5): the frames' own PNG streams, taken apart and numbered.
+// Readers that do not know the animation chunks show the first frame.
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -23,7 +23,8 @@ std::uint32_t big_endian_at(const Bytes& bytes, std::size_t at) {
 }
 
 void put(Bytes& out, std::uint32_t value, int bytes = 4) {
-    for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8) out.push_back(static_cast<unsigned char>(value >> shift));
+    for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8)
+        out.push_back(static_cast<unsigned char>(value >> shift));
 }
 
 // CRC-32 of ISO 3309, as PNG wants it.
@@ -32,7 +33,8 @@ std::uint32_t checksum(const unsigned char* bytes, std::size_t count) {
         std::array<std::uint32_t, 256> values{};
         for (std::uint32_t n = 0; n < 256; ++n) {
             values[n] = n;
-            for (int k = 0; k < 8; ++k) values[n] = values[n] & 1 ? 0xedb88320u ^ values[n] >> 1 : values[n] >> 1;
+            for (int k = 0; k < 8; ++k)
+                values[n] = values[n] & 1 ? 0xedb88320u ^ values[n] >> 1 : values[n] >> 1;
         }
         return values;
     }();
@@ -94,7 +96,8 @@ std::vector<unsigned char> encode_apng(const std::vector<RgbaImage>& frames, dou
             put(control, 0); // loops for ever
             put_chunk(out, "acTL", control);
         }
-        put_chunk(out, "fcTL", frame_control(number++, frames[i], milliseconds(i + 1, fps) - milliseconds(i, fps)));
+        put_chunk(out, "fcTL",
+                  frame_control(number++, frames[i], milliseconds(i + 1, fps) - milliseconds(i, fps)));
         Bytes data;
         if (i > 0) put(data, number++);
         const Bytes pixels = contents(png, "IDAT");

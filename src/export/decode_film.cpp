@@ -32,8 +32,8 @@ DecodedFilm decode_webp(std::span<const unsigned char> bytes, const std::string&
     WebPAnimDecoderOptionsInit(&options);
     options.color_mode = MODE_RGBA;
     const WebPData data{bytes.data(), bytes.size()};
-    const std::unique_ptr<WebPAnimDecoder, decltype(&WebPAnimDecoderDelete)> decoder(WebPAnimDecoderNew(&data, &options),
-                                                                                     WebPAnimDecoderDelete);
+    const std::unique_ptr<WebPAnimDecoder, decltype(&WebPAnimDecoderDelete)> decoder(
+        WebPAnimDecoderNew(&data, &options), WebPAnimDecoderDelete);
     if (!decoder) damaged(source, "animated WebP");
     WebPAnimInfo info;
     WebPAnimDecoderGetInfo(decoder.get(), &info);
@@ -80,8 +80,10 @@ struct CloseGif {
 bool loops_for_ever(const SavedImage& image) {
     for (int e = 0; e + 1 < image.ExtensionBlockCount; ++e) {
         const ExtensionBlock &block = image.ExtensionBlocks[e], &next = image.ExtensionBlocks[e + 1];
-        if (block.Function != APPLICATION_EXT_FUNC_CODE || block.ByteCount != 11 || next.ByteCount != 3) continue;
-        if (std::memcmp(block.Bytes, "NETSCAPE2.0", 11) == 0) return next.Bytes[0] == 1 && next.Bytes[1] == 0 && next.Bytes[2] == 0;
+        if (block.Function != APPLICATION_EXT_FUNC_CODE || block.ByteCount != 11 || next.ByteCount != 3)
+            continue;
+        if (std::memcmp(block.Bytes, "NETSCAPE2.0", 11) == 0)
+            return next.Bytes[0] == 1 && next.Bytes[1] == 0 && next.Bytes[2] == 0;
     }
     return false;
 }
@@ -93,7 +95,9 @@ RgbaImage shown(const GifFileType& gif, const SavedImage& image, int transparent
     for (int y = 0; y < box.Height; ++y)
         for (int x = 0; x < box.Width; ++x) {
             const int index = image.RasterBits[y * box.Width + x];
-            if (index == transparent || !map || index >= map->ColorCount || !frame.contains(box.Left + x, box.Top + y)) continue;
+            if (index == transparent || !map || index >= map->ColorCount ||
+                !frame.contains(box.Left + x, box.Top + y))
+                continue;
             const GifColorType c = map->Colors[index];
             frame(box.Left + x, box.Top + y) = {c.Red, c.Green, c.Blue, 255};
         }
@@ -115,7 +119,8 @@ DecodedFilm decode_gif(std::span<const unsigned char> bytes, const std::string& 
         GraphicsControlBlock control{};
         control.TransparentColor = NO_TRANSPARENT_COLOR;
         DGifSavedExtensionToGCB(gif.get(), i, &control);
-        film.disposes_to_background = film.disposes_to_background && control.DisposalMode == DISPOSE_BACKGROUND;
+        film.disposes_to_background =
+            film.disposes_to_background && control.DisposalMode == DISPOSE_BACKGROUND;
         film.delays.push_back(control.DelayTime);
         film.frames.push_back(shown(*gif, image, control.TransparentColor));
     }

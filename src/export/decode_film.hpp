@@ -16,7 +16,8 @@ struct DecodedFilm {
     bool disposes_to_background = true; // GIF: every frame
 };
 
-// Error(input) names `source` when the bytes are damaged. GIF frames are taken as whole pictures, which is how encode_gif makes them.
+// Error(input) names `source` when the bytes are damaged. GIF frames are taken as whole pictures, which is
+// how encode_gif makes them.
 #ifdef PANTIN_WEBP
 DecodedFilm decode_webp(std::span<const unsigned char> bytes, const std::string& source);
 #endif

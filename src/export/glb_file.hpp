@@ -1,5 +1,5 @@
-// Reads a GLB back: chunks, JSON, accessors. Shares no code with the exporter, so that tests may rely on it. What is damaged is a
-// std::runtime_error or an exception of the JSON library.
+// Reads a GLB back: chunks, JSON, accessors. Shares no code with the exporter, so that tests may rely on it.
+// What is damaged is a std::runtime_error or an exception of the JSON library.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,8 @@ struct GlbFile {
         if (word(0) != 0x46546C67 || word(4) != 2 || word(8) != bytes.size())
             throw std::runtime_error("header");
         const std::size_t text = word(12);
-        if (word(16) != 0x4E4F534A || text % 4 != 0 || text > bytes.size() - 20) throw std::runtime_error("JSON chunk");
+        if (word(16) != 0x4E4F534A || text % 4 != 0 || text > bytes.size() - 20)
+            throw std::runtime_error("JSON chunk");
         json = nlohmann::json::parse(bytes.begin() + 20, bytes.begin() + 20 + static_cast<long>(text));
         const std::size_t length = word(20 + text);
         if (word(24 + text) != 0x004E4942 || length % 4 != 0 || 28 + text + length != bytes.size())
@@ -43,7 +44,8 @@ struct GlbFile {
         const std::size_t components = type == "SCALAR" ? 1
                                        : type == "MAT4" ? 16
                                                         : static_cast<std::size_t>(type[3] - '0');
-        if (a.at("count").get<std::size_t>() > binary.size()) throw std::runtime_error("accessor outside the buffer");
+        if (a.at("count").get<std::size_t>() > binary.size())
+            throw std::runtime_error("accessor outside the buffer");
         const std::size_t count = a.at("count").get<std::size_t>() * components;
         const int component = a.at("componentType");
         const std::size_t size = component == 5123 ? 2 : 4;

@@ -1,7 +1,7 @@
 // glTF 2.0 binary (Khronos Group 2021) with what importers need (docs/formats.md, "character.glb"): one
 // skinned mesh at the scene root without transform, all joints below one root, end joints at the leaves, at
-// most four influences that sum to one, an unlit double-sided material with the drawing embedded (of a solid: a lit one, and
-// normals), one named animation per clip.
+// most four influences that sum to one, an unlit double-sided material with the drawing embedded (of a solid:
+// a lit one, and normals), one named animation per clip.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -173,7 +173,9 @@ Json make_animation(const BoneAnimation& animation, const std::vector<Joint>& jo
 }
 
 Json make_material(const Rig& rig) {
-    if (!rig.colours.empty()) return {{"name", "colours"}, {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}};
+    if (!rig.colours.empty())
+        return {{"name", "colours"},
+                {"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}};
     if (rig.solid)
         return {{"name", "drawing"},
                 {"pbrMetallicRoughness",
@@ -200,7 +202,8 @@ std::vector<unsigned char> to_glb(const Rig& rig, const RgbaImage& texture,
     for (const BoneAnimation& animation : animations)
         clips.push_back(make_animation(animation, joints, buffer));
     const bool textured = rig.colours.empty();
-    const int image = textured ? buffer.add_bytes(encode_png(texture)) : -1; // last: its length is the encoder's
+    const int image =
+        textured ? buffer.add_bytes(encode_png(texture)) : -1; // last: its length is the encoder's
 
     Json gltf;
     gltf["asset"] = {{"version", "2.0"}, {"generator", "pantin " PANTIN_VERSION}};
@@ -214,7 +217,8 @@ std::vector<unsigned char> to_glb(const Rig& rig, const RgbaImage& texture,
     gltf["materials"] = Json::array({make_material(rig)});
     if (textured) {
         gltf["textures"] = Json::array({{{"sampler", 0}, {"source", 0}}});
-        gltf["images"] = Json::array({{{"name", "drawing"}, {"mimeType", "image/png"}, {"bufferView", image}}});
+        gltf["images"] =
+            Json::array({{{"name", "drawing"}, {"mimeType", "image/png"}, {"bufferView", image}}});
         // Linear with mipmaps, clamped to the edge.
         gltf["samplers"] =
             Json::array({{{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", 33071}, {"wrapT", 33071}}});

@@ -1,5 +1,5 @@
-// H.264 in MP4 by the ffmpeg on the machine: raw frames through a socket, so that nothing but ffmpeg has to be there and no
-// intermediate file is written. The bytes are ffmpeg's own and differ between its versions.
+// H.264 in MP4 by the ffmpeg on the machine: raw frames through a socket, so that nothing but ffmpeg has to
+// be there and no intermediate file is written. The bytes are ffmpeg's own and differ between its versions.
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -28,7 +28,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double least_seconds = 3; // a film that does not loop by itself: the loop is shown as often as this needs
+constexpr double least_seconds =
+    3; // a film that does not loop by itself: the loop is shown as often as this needs
 
 class Descriptor {
 public:
@@ -86,10 +87,33 @@ std::string first_line(std::FILE* file) {
 std::vector<std::string> arguments(const RgbaImage& frame, double fps, const fs::path& out) {
     const std::string size = std::to_string(frame.width() + frame.width() % 2) + "x" +
                              std::to_string(frame.height() + frame.height() % 2);
-    return {"ffmpeg", "-nostdin",  "-loglevel", "error",   "-y",         "-f",         "rawvideo", "-pix_fmt",
-            "rgb24",  "-s",        size,        "-r",      to_decimal(fps), "-i",      "pipe:0",   "-an",
-            "-c:v",   "libx264",   "-crf",      "18",      "-pix_fmt",   "yuv420p",    "-movflags", "+faststart",
-            "-f",     "mp4",       fs::absolute(out).string()};
+    return {"ffmpeg",
+            "-nostdin",
+            "-loglevel",
+            "error",
+            "-y",
+            "-f",
+            "rawvideo",
+            "-pix_fmt",
+            "rgb24",
+            "-s",
+            size,
+            "-r",
+            to_decimal(fps),
+            "-i",
+            "pipe:0",
+            "-an",
+            "-c:v",
+            "libx264",
+            "-crf",
+            "18",
+            "-pix_fmt",
+            "yuv420p",
+            "-movflags",
+            "+faststart",
+            "-f",
+            "mp4",
+            fs::absolute(out).string()};
 }
 
 // ffmpeg with `input` as its standard input and `messages` as its standard error.
@@ -150,7 +174,8 @@ void write_mp4(const fs::path& file, const std::vector<RgbaImage>& frames, doubl
     const int loops = std::max(1, static_cast<int>(std::ceil(least_seconds / loop)));
     bool sent = true;
     for (int i = 0; sent && i < loops; ++i)
-        for (std::size_t k = 0; sent && k < frames.size(); ++k) sent = send_all(ours.number(), flattened(frames[k]));
+        for (std::size_t k = 0; sent && k < frames.size(); ++k)
+            sent = send_all(ours.number(), flattened(frames[k]));
     ours.close();
     if (!ended_well(ffmpeg) || !sent) {
         const std::string reason = first_line(messages.get());

@@ -19,7 +19,8 @@ std::string vertex_line(const Rig& rig, std::size_t i) {
     const Vec3 v = to_world(rig.mesh.vertices[i], rig.width, rig.height, depth);
     std::string line = "v " + to_decimal(v.x) + " " + to_decimal(v.y) + " " + to_decimal(v.z);
     if (!rig.colours.empty()) // of the vertex, sRGB, as MeshLab and Blender read it
-        for (const std::uint8_t c : {rig.colours[i].r, rig.colours[i].g, rig.colours[i].b}) line += " " + to_decimal(std::rint(c / 255.0 * 1000) / 1000);
+        for (const std::uint8_t c : {rig.colours[i].r, rig.colours[i].g, rig.colours[i].b})
+            line += " " + to_decimal(std::rint(c / 255.0 * 1000) / 1000);
     return line + "\n";
 }
 

@@ -1,5 +1,6 @@
-// Constrained Delaunay triangulation of a polygon's inside: the Delaunay triangulation of its corners, into which the edges of its
-// loops are brought by flips (Sloan, A fast algorithm for generating constrained Delaunay triangulations, 1993).
+// Constrained Delaunay triangulation of a polygon's inside: the Delaunay triangulation of its corners, into
+// which the edges of its loops are brought by flips (Sloan, A fast algorithm for generating constrained
+// Delaunay triangulations, 1993).
 #include <algorithm>
 #include <deque>
 #include <map>
@@ -55,7 +56,9 @@ public:
     }
 
 private:
-    int turn(int a, int b, int p) const { return orientation(links_.points[a], links_.points[b], links_.points[p]); }
+    int turn(int a, int b, int p) const {
+        return orientation(links_.points[a], links_.points[b], links_.points[p]);
+    }
     bool ahead(int a, int b, int p) const {
         const Point2d from = to_double(links_.points[a]);
         return dot(to_double(links_.points[b]) - from, to_double(links_.points[p]) - from) > 0;
@@ -82,9 +85,11 @@ private:
             const int apex = links_.corners[o.triangle][o.corner];
             const int side = turn(a, b, apex);
             if (side == 0) return apex;
-            // `o` runs from the left corner to the right one; the way goes on between the apex and one of them.
+            // `o` runs from the left corner to the right one; the way goes on between the apex and one of
+            // them.
             s = side > 0 ? Side{o.triangle, (o.corner + 1) % 3} : Side{o.triangle, (o.corner + 2) % 3};
-            if (turn(a, b, links_.from(s)) > 0) s = side > 0 ? Side{o.triangle, (o.corner + 2) % 3} : Side{o.triangle, (o.corner + 1) % 3};
+            if (turn(a, b, links_.from(s)) > 0)
+                s = side > 0 ? Side{o.triangle, (o.corner + 2) % 3} : Side{o.triangle, (o.corner + 1) % 3};
         }
         return -1;
     }
@@ -101,7 +106,8 @@ private:
             links_.flip(s);
             const Side made{s.triangle, (s.corner + 1) % 3};
             const int u = links_.from(made), v = links_.to(made);
-            if (u != a && u != b && v != a && v != b && turn(a, b, u) * turn(a, b, v) < 0) crossed.emplace_back(u, v);
+            if (u != a && u != b && v != a && v != b && turn(a, b, u) * turn(a, b, v) < 0)
+                crossed.emplace_back(u, v);
         }
     }
 

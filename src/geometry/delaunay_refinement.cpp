@@ -1,6 +1,7 @@
-// This work is based on: J. Ruppert, A Delaunay refinement algorithm for quality 2-dimensional mesh generation, 1995.
-// Here a point of the border is added when a circumcentre is hidden by an edge of the border or when a new triangle's corner
-// encroaches upon one; edges at the shortest length are left as they are, so it ends at sharp corners, too.
+// This work is based on: J. Ruppert, A Delaunay refinement algorithm for quality 2-dimensional mesh
+// generation, 1995. Here a point of the border is added when a circumcentre is hidden by an edge of the
+// border or when a new triangle's corner encroaches upon one; edges at the shortest length are left as they
+// are, so it ends at sharp corners, too.
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -42,7 +43,8 @@ private:
         return dot(at(links_.from(s)) - apex, at(links_.to(s)) - apex) < 0;
     }
     bool must_split(Side s) const {
-        return on_border(s) && can_split(s) && (encroached(s) || (quality_.longest_edge > 0 && length_of(s) > quality_.longest_edge));
+        return on_border(s) && can_split(s) &&
+               (encroached(s) || (quality_.longest_edge > 0 && length_of(s) > quality_.longest_edge));
     }
 
     struct Shape {
@@ -50,11 +52,13 @@ private:
         Point2d centre;
     };
     Shape shape_of(int t) const {
-        const Point2d a = at(links_.corners[t][0]), b = at(links_.corners[t][1]) - a, c = at(links_.corners[t][2]) - a;
+        const Point2d a = at(links_.corners[t][0]), b = at(links_.corners[t][1]) - a,
+                      c = at(links_.corners[t][2]) - a;
         const double twice = 2 * cross(b, c), bb = dot(b, b), cc = dot(c, c);
         const Point2d centre{(c.y * bb - b.y * cc) / twice, (b.x * cc - c.x * bb) / twice};
         const double sides[3] = {length(b), length(c), length(c - b)};
-        return {*std::min_element(sides, sides + 3), *std::max_element(sides, sides + 3), length(centre), a + centre};
+        return {*std::min_element(sides, sides + 3), *std::max_element(sides, sides + 3), length(centre),
+                a + centre};
     }
     bool is_bad(const Shape& s) const {
         if (s.shortest < 1) return false;
@@ -73,7 +77,8 @@ private:
             if (must_split({t, i})) return halve({t, i});
         const Shape shape = shape_of(t);
         if (!is_bad(shape)) return;
-        const Point2i centre{static_cast<int>(std::floor(shape.centre.x + 0.5)), static_cast<int>(std::floor(shape.centre.y + 0.5))};
+        const Point2i centre{static_cast<int>(std::floor(shape.centre.x + 0.5)),
+                             static_cast<int>(std::floor(shape.centre.y + 0.5))};
         const TriangleLinks::Place place = links_.locate(centre, t);
         if (place.behind >= 0) {
             const Side border{place.triangle, place.behind};
@@ -81,7 +86,8 @@ private:
             return;
         }
         if (place.triangle < 0) return;
-        for (const int corner : links_.corners[place.triangle]) // close to a corner it would only make shorter edges
+        for (const int corner :
+             links_.corners[place.triangle]) // close to a corner it would only make shorter edges
             if (distance(at(corner), to_double(centre)) < quality_.shortest_edge) return;
         add(centre, place);
     }
@@ -109,7 +115,8 @@ std::vector<char> border_points(const TriangleLinks& links) {
     return on;
 }
 
-// Edges inside between two points of the border get a point in their middle, without flips, so that none comes back.
+// Edges inside between two points of the border get a point in their middle, without flips, so that none
+// comes back.
 void split_chords(TriangleLinks& links) {
     const std::vector<char> border = border_points(links);
     const auto on_border = [&](int p) { return p < std::ssize(border) && border[p]; };

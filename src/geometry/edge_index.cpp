@@ -19,7 +19,8 @@ Point2d turned(Point2d p, Point2d axis) { return {dot(axis, p), cross(axis, p)};
 
 } // namespace
 
-EdgeIndex::EdgeIndex(std::vector<MovingEdge> edges, double time, double margin) : time_(time), margin_(margin) {
+EdgeIndex::EdgeIndex(std::vector<MovingEdge> edges, double time, double margin)
+    : time_(time), margin_(margin) {
     if (!edges.empty()) build(edges);
 }
 
@@ -34,7 +35,9 @@ void EdgeIndex::build(std::span<MovingEdge> edges) {
         return;
     }
     const Point2d along = dividing_direction(edges, nodes_[index]);
-    const auto key = [&](const MovingEdge& e) { return std::make_tuple(dot(e.from + e.to, along), e.number); };
+    const auto key = [&](const MovingEdge& e) {
+        return std::make_tuple(dot(e.from + e.to, along), e.number);
+    };
     std::nth_element(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(half), edges.end(),
                      [&](const MovingEdge& a, const MovingEdge& b) { return key(a) < key(b); });
     build(edges.first(half));
@@ -55,7 +58,8 @@ EdgeIndex::Node EdgeIndex::node_around(std::span<const MovingEdge> edges) const 
     node.high = node.high_rate = least;
     for (const MovingEdge& edge : edges) {
         const Point2d from = turned(edge.from, node.axis), to = turned(edge.to, node.axis);
-        const Point2d from_velocity = turned(edge.from_velocity, node.axis), to_velocity = turned(edge.to_velocity, node.axis);
+        const Point2d from_velocity = turned(edge.from_velocity, node.axis),
+                      to_velocity = turned(edge.to_velocity, node.axis);
         node.low = lower(node.low, lower(from, to));
         node.high = upper(node.high, upper(from, to));
         node.low_rate = lower(node.low_rate, lower(from_velocity, to_velocity));
@@ -66,7 +70,8 @@ EdgeIndex::Node EdgeIndex::node_around(std::span<const MovingEdge> edges) const 
     return node;
 }
 
-// The side of the box along which the edges' middles spread most, as a part of its length: so the halves' boxes are smallest.
+// The side of the box along which the edges' middles spread most, as a part of its length: so the halves'
+// boxes are smallest.
 Point2d EdgeIndex::dividing_direction(std::span<const MovingEdge> edges, const Node& node) {
     Point2d low = most, high = least;
     for (const MovingEdge& edge : edges) {
@@ -80,7 +85,7 @@ Point2d EdgeIndex::dividing_direction(std::span<const MovingEdge> edges, const N
 
 // Whether the point, from the time on, is ever in the node's box; puts the time forward to when it first is.
 bool EdgeIndex::enters(const Node& node, const MovingPoint& point, double& time) const {
-    double begin = time - point.time, end = never; // after the point's time
+    double begin = time - point.time, end = never;      // after the point's time
     const auto clip = [&](double inside, double rate) { // to when inside + rate · time ≥ 0
         if (rate > 0)
             begin = std::max(begin, -inside / rate);

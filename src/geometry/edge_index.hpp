@@ -1,5 +1,6 @@
-// Edges that move and grow steadily, in a tree of boxes that move and grow with them: finds those that a moving point may meet
-// (Šaltenis et al., Indexing the positions of continuously moving objects, 2000; here in memory, and built once).
+// Edges that move and grow steadily, in a tree of boxes that move and grow with them: finds those that a
+// moving point may meet (Šaltenis et al., Indexing the positions of continuously moving objects, 2000; here
+// in memory, and built once).
 #pragma once
 
 #include <array>
@@ -28,10 +29,12 @@ public:
     // The edges as they are at the time. margin: how far beside an edge points still count as being on it.
     EdgeIndex(std::vector<MovingEdge> edges, double time, double margin);
 
-    // Calls visit(number) for every edge that the point can meet between the two times, and for some others, roughly in the order of
-    // the meetings. It returns the time after which meetings do not matter any more.
-    template <class Visit> void search(const MovingPoint& point, double from, double until, Visit visit) const {
-        std::array<std::pair<double, int>, 64> waiting; // nodes, each with a time before which the point is not inside
+    // Calls visit(number) for every edge that the point can meet between the two times, and for some others,
+    // roughly in the order of the meetings. It returns the time after which meetings do not matter any more.
+    template <class Visit>
+    void search(const MovingPoint& point, double from, double until, Visit visit) const {
+        std::array<std::pair<double, int>, 64>
+            waiting; // nodes, each with a time before which the point is not inside
         std::size_t count = 0;
         const auto wait = [&](int node) {
             double entry = from;
@@ -46,7 +49,8 @@ public:
                 const std::size_t before = count;
                 wait(node + 1);
                 wait(n.second);
-                if (count == before + 2 && waiting[count - 1].first > waiting[before].first) // the earlier one goes first
+                if (count == before + 2 &&
+                    waiting[count - 1].first > waiting[before].first) // the earlier one goes first
                     std::swap(waiting[count - 1], waiting[before]);
             } else {
                 for (int i = n.begin; i < n.end; ++i) until = visit(numbers_[i]);

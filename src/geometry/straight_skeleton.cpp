@@ -1,8 +1,9 @@
 // This work is based on:
-// P. Felkel, Š. Obdržálek, Straight skeleton implementation, 1998: circular lists of corners and a queue of events. Differences: a
-// split event is judged when its time has come, by the moving edges as they are then, not when its corner is made; and where two
-// opposite edges meet along their length, the nearer end goes first. The edges that a corner may split are found by an index of the
-// moving edges, which is made anew as corners go.
+// P. Felkel, Š. Obdržálek, Straight skeleton implementation, 1998: circular lists of corners and a queue of
+// events. Differences: a split event is judged when its time has come, by the moving edges as they are then,
+// not when its corner is made; and where two opposite edges meet along their length, the nearer end goes
+// first. The edges that a corner may split are found by an index of the moving edges, which is made anew as
+// corners go.
 #include "pantin/straight_skeleton.hpp"
 
 #include <algorithm>
@@ -21,12 +22,15 @@ namespace pantin {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr double tolerance = 1e-9;      // of the diagonal
-constexpr double parallel = 1e-12;      // sine of the angle between lines that count as parallel
-constexpr double margin = 1e-6;         // of the diagonal: how far pieces of edges may be from where the index has them
-constexpr double leeway = margin / 64;  // of the diagonal: how much farther than they should they may reach, each time
-constexpr double remaining = 0.9, patience = 32; // an index is made anew when no more corners than this part are left, and the
-                                                 // searches have looked at this many pieces for each
+constexpr double tolerance = 1e-9; // of the diagonal
+constexpr double parallel = 1e-12; // sine of the angle between lines that count as parallel
+constexpr double margin =
+    1e-6; // of the diagonal: how far pieces of edges may be from where the index has them
+constexpr double leeway =
+    margin / 64; // of the diagonal: how much farther than they should they may reach, each time
+constexpr double remaining = 0.9,
+                 patience = 32; // an index is made anew when no more corners than this part are left, and the
+                                // searches have looked at this many pieces for each
 constexpr int nothing = std::numeric_limits<int>::max(); // no edge: a corner is to search on
 
 struct Line { // of a moving edge: normal · p = offset + time
@@ -40,8 +44,8 @@ struct Candidate { // for a split: when a reflex corner reaches the line of an e
     bool operator<(const Candidate& c) const { return std::tie(time, edge) < std::tie(c.time, c.edge); }
 };
 
-// A piece of a moving edge. The index has it, and whatever becomes of it, from begin − before · time to end + after · time along the
-// edge's direction, the time counted from that of the index.
+// A piece of a moving edge. The index has it, and whatever becomes of it, from begin − before · time to end +
+// after · time along the edge's direction, the time counted from that of the index.
 struct Piece {
     int edge = 0, corner = 0; // corner: that begins it
     double begin = -never, end = never, before = never, after = never;
@@ -57,8 +61,9 @@ struct Corner {
     double time = 0;
     Point2d origin, velocity;
     bool alive = true, flat = false; // flat: its edges move against each other, it has no velocity
-    double vanishes = never; // when its piece will, as things are
-    // Of a reflex corner: the last candidate that was looked at, the next ones, latest first, and how many the next search keeps.
+    double vanishes = never;         // when its piece will, as things are
+    // Of a reflex corner: the last candidate that was looked at, the next ones, latest first, and how many
+    // the next search keeps.
     Candidate searched;
     std::vector<Candidate> candidates;
     std::size_t batch = 1;
@@ -66,7 +71,7 @@ struct Corner {
 
 struct Event {
     double time = 0;
-    int kind = 0; // 0 edge event, 1 split event
+    int kind = 0;              // 0 edge event, 1 split event
     int corner = 0, other = 0; // edge event: the corners that meet; split event: the corner and the edge
     Point2d place;
     bool operator>(const Event& e) const {
@@ -74,7 +79,9 @@ struct Event {
     }
 };
 
-[[noreturn]] void fail(const std::string& what) { throw Error(ErrorKind::input, "straight skeleton: " + what); }
+[[noreturn]] void fail(const std::string& what) {
+    throw Error(ErrorKind::input, "straight skeleton: " + what);
+}
 
 class Wavefront {
 public:
@@ -83,8 +90,8 @@ public:
         for (std::size_t l = 0; l < loops.size(); ++l) add_loop(loops[l], l == 0);
     }
 
-    // Edges that reached farther than they should, those that were given included. The index does not have them: every corner looks
-    // at them.
+    // Edges that reached farther than they should, those that were given included. The index does not have
+    // them: every corner looks at them.
     const std::set<int>& strays() const { return strays_; }
 
     // Right if it finds no more strays.
@@ -128,7 +135,8 @@ private:
     bool is_idle(Point2d before, Point2d corner, Point2d after) const {
         const Point2d u = corner - before, v = after - corner;
         if (length(u) <= small_) return true;
-        return length(v) > small_ && std::abs(cross(u, v)) <= small_ * std::max(length(u), length(v)) && dot(u, v) > 0;
+        return length(v) > small_ && std::abs(cross(u, v)) <= small_ * std::max(length(u), length(v)) &&
+               dot(u, v) > 0;
     }
 
     // Leaves out idle corners, once around; those that stay move to the front.
@@ -139,7 +147,8 @@ private:
             const Point2d after = i + 1 < loop.size() ? loop[i + 1] : loop.front();
             if (!is_idle(before, loop[i], after)) loop[kept++] = loop[i];
         }
-        loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(kept), loop.begin() + static_cast<std::ptrdiff_t>(i));
+        loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(kept),
+                   loop.begin() + static_cast<std::ptrdiff_t>(i));
     }
 
     // Without doubles and points on straight lines, the interior on the left.
@@ -157,11 +166,13 @@ private:
 
     void add_loop(const std::vector<Point2d>& raw, bool outer) {
         const std::vector<Point2d> loop = cleaned(raw, outer);
-        const int first = static_cast<int>(corners_.size()), n = static_cast<int>(loop.size()), border = borders_.add();
+        const int first = static_cast<int>(corners_.size()), n = static_cast<int>(loop.size()),
+                  border = borders_.add();
         loops_ = border + 1;
         for (int i = 0; i < n; ++i) {
             const Point2d from = loop[i], to = loop[(i + 1) % n];
-            const Point2d direction = (1 / distance(from, to)) * (to - from), normal{-direction.y, direction.x};
+            const Point2d direction = (1 / distance(from, to)) * (to - from),
+                          normal{-direction.y, direction.x};
             lines_.push_back({normal, direction, dot(normal, from)});
             pieces_.push_back({first + i, first + i});
             segments_.push_back({first + i});
@@ -201,7 +212,8 @@ private:
     }
 
     bool is_reflex(const Corner& corner) const {
-        return !corner.flat && cross(lines_[corner.left].direction, lines_[corner.right].direction) < -parallel;
+        return !corner.flat &&
+               cross(lines_[corner.left].direction, lines_[corner.right].direction) < -parallel;
     }
 
     // The point equally far from three moving lines, and the time; false when they have none.
@@ -233,7 +245,8 @@ private:
             event.place = place_at(u, event.time);
         }
         // Corners that drift apart met in the past.
-        if (event.time < now_ - small_ || (closing <= 0 && event.time < now_ + small_ && gap > small_)) return;
+        if (event.time < now_ - small_ || (closing <= 0 && event.time < now_ + small_ && gap > small_))
+            return;
         event.time = std::max(event.time, now_);
         corners_[c].vanishes = event.time;
         queue_.push(event);
@@ -242,7 +255,8 @@ private:
     // Two edges meet along their length: the end that is nearer goes first.
     void schedule_flat(int c) {
         const Corner& corner = corners_[c];
-        const Point2d before = place_at(corners_[corner.previous], now_), after = place_at(corners_[corner.next], now_);
+        const Point2d before = place_at(corners_[corner.previous], now_),
+                      after = place_at(corners_[corner.next], now_);
         const bool forward = distance(after, corner.origin) <= distance(before, corner.origin);
         const int from = forward ? c : corner.previous, to = forward ? corner.next : c;
         queue_.push({now_, 0, from, to, forward ? after : before});
@@ -253,7 +267,8 @@ private:
         const Line& line = lines_[edge];
         const double height = dot(line.normal, corner.origin) - line.offset - corner.time;
         const double closing = 1 - dot(line.normal, corner.velocity);
-        if (closing <= parallel || height < -small_ || edge == corner.left || edge == corner.right) return false;
+        if (closing <= parallel || height < -small_ || edge == corner.left || edge == corner.right)
+            return false;
         time = corner.time + std::max(0.0, height) / closing;
         return true;
     }
@@ -262,16 +277,19 @@ private:
     void search(Corner& corner) {
         const double from = std::max(corner.searched.time, corner.time);
         const double end = std::min(corner.vanishes, corners_[corner.previous].vanishes);
-        const double until = end > from ? end : never; // most corners end with one of their edges: no need to look farther
+        const double until =
+            end > from ? end : never; // most corners end with one of their edges: no need to look farther
         std::vector<Candidate> found; // a heap of the earliest ones, the latest of them on top
         Candidate limit{until, nothing};
         const auto look = [&](int number) {
             ++looks_;
             const Piece& piece = pieces_[number];
             Candidate c{0, piece.edge};
-            if (!reaches_line(corner, piece.edge, c.time) || !(c < limit) || !(corner.searched < c)) return limit.time;
+            if (!reaches_line(corner, piece.edge, c.time) || !(c < limit) || !(corner.searched < c))
+                return limit.time;
             const Point2d place = place_at(corner, c.time);
-            if (!begins_before(piece, place, c.time, margin) || !ends_after(piece, place, c.time, margin)) return limit.time;
+            if (!begins_before(piece, place, c.time, margin) || !ends_after(piece, place, c.time, margin))
+                return limit.time;
             found.push_back(c);
             std::push_heap(found.begin(), found.end());
             if (found.size() > corner.batch) {
@@ -306,9 +324,10 @@ private:
         }
     }
 
-    // Makes the index, of all pieces as they are now. None will ever reach farther than the corners at its ends would take it, were
-    // they to go on: an edge only vanishes where the corners at its ends turn left by more than right, and so the one that takes
-    // their place turns left; and where reflex corners meet, the new ones are less sharp than they were.
+    // Makes the index, of all pieces as they are now. None will ever reach farther than the corners at its
+    // ends would take it, were they to go on: an edge only vanishes where the corners at its ends turn left
+    // by more than right, and so the one that takes their place turns left; and where reflex corners meet,
+    // the new ones are less sharp than they were.
     void make_index() {
         check_reaches();
         index_time_ = now_;
@@ -331,7 +350,8 @@ private:
             piece.end = dot(along, end);
             piece.before = std::min(piece.before, std::max(0.0, -dot(along, from.velocity)));
             piece.after = std::min(piece.after, std::max(0.0, dot(along, to.velocity)));
-            edges.push_back({from.piece, begin, end, normal - piece.before * along, normal + piece.after * along});
+            edges.push_back(
+                {from.piece, begin, end, normal - piece.before * along, normal + piece.after * along});
         }
         index_ = EdgeIndex(std::move(edges), now_, margin * diagonal_);
     }
@@ -344,8 +364,9 @@ private:
         const double s = dot(lines_[piece.edge].direction, place) - allowance * diagonal_;
         return s <= piece.end + (time - index_time_) * piece.after;
     }
-    // That no piece reaches too far is a theorem about simple polygons and exact numbers. Edges for which it is not true are found out
-    // here, by the whole way of every corner: what holds at two times holds between them.
+    // That no piece reaches too far is a theorem about simple polygons and exact numbers. Edges for which it
+    // is not true are found out here, by the whole way of every corner: what holds at two times holds between
+    // them.
     void check_reach(int c) {
         const Corner& corner = corners_[c];
         const Piece &left = pieces_[corners_[corner.previous].piece], &right = pieces_[corner.piece];
@@ -435,10 +456,11 @@ private:
         if (!close_if_empty(c, node)) schedule_around(c);
     }
 
-    // Whether the two corners may meet: in one loop, or in loops that come from borders that have not met. Loops that were split
-    // touch at the places where they were, and nowhere else.
+    // Whether the two corners may meet: in one loop, or in loops that come from borders that have not met.
+    // Loops that were split touch at the places where they were, and nowhere else.
     bool may_meet(int a, int b) {
-        return corners_[a].loop == corners_[b].loop || borders_.find(corners_[a].border) != borders_.find(corners_[b].border);
+        return corners_[a].loop == corners_[b].loop ||
+               borders_.find(corners_[a].border) != borders_.find(corners_[b].border);
     }
     // The one of two corners whose loop has fewer corners; takes as long as walking along that loop.
     int in_shorter_loop(int a, int b) const {
@@ -451,7 +473,8 @@ private:
         for (int i = c; corners_[i].loop != name; i = corners_[i].next) corners_[i].loop = name;
     }
 
-    // The corner of the edge's moving segment that holds the place, or −1. Of several, the one that was there first.
+    // The corner of the edge's moving segment that holds the place, or −1. Of several, the one that was there
+    // first.
     int segment_at(int edge, int corner, Point2d place) {
         std::vector<int>& list = segments_[edge];
         const auto begin = [&](int piece) { return pieces_[piece].corner; };
@@ -461,7 +484,8 @@ private:
         const double s = dot(lines_[edge].direction, place);
         auto i = list.begin(), last = list.end();
         if (strays_.empty()) { // the pieces are in order, up to rounding, unless the polygon crosses itself
-            i = std::partition_point(i, last, [&](int p) { return along(corners_[begin(p)].next) < s - 2 * small_; });
+            i = std::partition_point(i, last,
+                                     [&](int p) { return along(corners_[begin(p)].next) < s - 2 * small_; });
             last = std::find_if(i, last, [&](int p) { return along(begin(p)) > s + 2 * small_; });
         }
         int found = -1;
@@ -489,7 +513,8 @@ private:
         }
         Point2d place;
         double ignored = 0;
-        if (!meeting(corners_[v].left, corners_[v].right, edge, place, ignored)) place = place_at(corners_[v], event.time);
+        if (!meeting(corners_[v].left, corners_[v].right, edge, place, ignored))
+            place = place_at(corners_[v], event.time);
         const int a = segment_at(edge, v, place);
         if (a < 0)
             schedule_split(v);
@@ -502,7 +527,8 @@ private:
         const bool divides = corners_[v].loop == corners_[a].loop;
         if (!divides) join_loops(v, a);
         finish(v, node);
-        const int before = corners_[v].previous, after = corners_[v].next, b = corners_[a].next, left = corners_[v].left;
+        const int before = corners_[v].previous, after = corners_[v].next, b = corners_[a].next,
+                  left = corners_[v].left;
         const int one = add_corner(left, split_piece(a), before, b, node);
         const int two = add_corner(corners_[a].right, corners_[v].piece, a, after, node);
         if (divides) name_loop(in_shorter_loop(one, two), loops_++);
@@ -513,16 +539,17 @@ private:
 
     double diagonal_ = 0, small_ = 0, now_ = 0;
     std::vector<Line> lines_; // of the edges
-    std::vector<std::vector<int>> segments_; // per edge: its moving pieces, in order, and some that are gone where
-    std::vector<bool> changed_;              // that is so
+    std::vector<std::vector<int>>
+        segments_;              // per edge: its moving pieces, in order, and some that are gone where
+    std::vector<bool> changed_; // that is so
     std::vector<Piece> pieces_;
     std::vector<Corner> corners_;
-    DisjointSets borders_; // the polygon's loops; those that have met are in one set
-    int loops_ = 0;        // names that loops of corners have had
+    DisjointSets borders_;        // the polygon's loops; those that have met are in one set
+    int loops_ = 0;               // names that loops of corners have had
     int alive_ = 0, indexed_ = 0; // corners: now, and when the index was made
     EdgeIndex index_;
-    double index_time_ = 0; // when that was
-    double looks_ = 0;      // of searches at pieces, since then
+    double index_time_ = 0;  // when that was
+    double looks_ = 0;       // of searches at pieces, since then
     std::vector<int> loose_; // pieces of strays
     std::set<int> strays_;   // edges
     std::priority_queue<Event, std::vector<Event>, std::greater<>> queue_;

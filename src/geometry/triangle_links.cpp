@@ -4,8 +4,10 @@
 
 namespace pantin {
 
-TriangleLinks::TriangleLinks(std::vector<Point2i> p, std::vector<std::array<int, 3>> t, std::vector<std::array<int, 3>> n)
-    : points(std::move(p)), corners(std::move(t)), neighbours(std::move(n)), fixed(corners.size()), triangle_of_(points.size(), -1) {
+TriangleLinks::TriangleLinks(std::vector<Point2i> p, std::vector<std::array<int, 3>> t,
+                             std::vector<std::array<int, 3>> n)
+    : points(std::move(p)), corners(std::move(t)), neighbours(std::move(n)), fixed(corners.size()),
+      triangle_of_(points.size(), -1) {
     for (std::size_t i = 0; i < corners.size(); ++i)
         for (const int corner : corners[i]) triangle_of_[corner] = static_cast<int>(i);
 }
@@ -96,7 +98,8 @@ void TriangleLinks::legalise(std::vector<Side> pending) {
         const Side o = opposite(s);
         if (o.triangle < 0) continue;
         const auto& t = corners[s.triangle];
-        if (in_circle(points[t[0]], points[t[1]], points[t[2]], points[corners[o.triangle][o.corner]]) <= 0) continue;
+        if (in_circle(points[t[0]], points[t[1]], points[t[2]], points[corners[o.triangle][o.corner]]) <= 0)
+            continue;
         if (!can_flip(s)) continue; // cocircular but for a rounding of the border
         flip(s);
         for (int i = 0; i < 3; ++i) {
@@ -138,7 +141,8 @@ bool TriangleLinks::insert(Point2i p, const Place& place) {
     points.push_back(p);
     triangle_of_.push_back(place.triangle);
     std::vector<Side> changed;
-    const bool done = place.on < 0 ? split_inside(place.triangle, index, changed) : split_side({place.triangle, place.on}, index, changed);
+    const bool done = place.on < 0 ? split_inside(place.triangle, index, changed)
+                                   : split_side({place.triangle, place.on}, index, changed);
     if (!done) {
         points.pop_back();
         triangle_of_.pop_back();
@@ -177,7 +181,8 @@ bool TriangleLinks::split_side(Side s, int p, std::vector<Side>& changed) {
     const int d = o.triangle >= 0 ? corners[o.triangle][o.corner] : -1;
     if (d >= 0 && (!positive(d, b, p) || !positive(d, p, a))) return false;
     const auto halve = [&](Side side, int first, int second) { // returns the new triangle, which has `second`
-        const int t = side.triangle, i = side.corner, apex = corners[t][i], u = static_cast<int>(corners.size());
+        const int t = side.triangle, i = side.corner, apex = corners[t][i],
+                  u = static_cast<int>(corners.size());
         const int outer = neighbours[t][(i + 1) % 3];
         const char f = fixed[t][i], f_outer = fixed[t][(i + 1) % 3], f_inner = fixed[t][(i + 2) % 3];
         const int inner = neighbours[t][(i + 2) % 3];

@@ -1,4 +1,5 @@
-// A reference between two: the gryphon of the thesis (6.2) has the legs of a quadruped and the wings of a bird.
+// A reference between two: the gryphon of the thesis (6.2) has the legs of a quadruped and the wings of a
+// bird.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -22,7 +23,9 @@ std::vector<int> ends_with(const ReferenceSkeleton& skeleton, Label label) {
     return ends;
 }
 
-double distance_of(const ReferenceNode& a, const ReferenceNode& b) { return distance(Point2d{a.x, a.y}, Point2d{b.x, b.y}); }
+double distance_of(const ReferenceNode& a, const ReferenceNode& b) {
+    return distance(Point2d{a.x, a.y}, Point2d{b.x, b.y});
+}
 
 template <class T> std::string free_name(const std::vector<T>& list, std::string name) {
     while (index_of(list, name) >= 0) name += "_2";
@@ -76,7 +79,8 @@ private:
         std::vector<int> spare = ends_with(second_, label);
         for (const int n : ends_with(first_, label)) {
             const auto nearest = std::min_element(spare.begin(), spare.end(), [&](int a, int b) {
-                return distance_of(second_.nodes[a], first_.nodes[n]) < distance_of(second_.nodes[b], first_.nodes[n]);
+                return distance_of(second_.nodes[a], first_.nodes[n]) <
+                       distance_of(second_.nodes[b], first_.nodes[n]);
             });
             if (nearest == spare.end()) return;
             if (const int j = joint_at(second_, *nearest); j >= 0) joint_[j] = joint_at(first_, n);
@@ -94,7 +98,8 @@ private:
         const int j = joint_at(second_, n);
         if (j < 0) return;
         joint_[j] = static_cast<int>(result_.joints.size());
-        result_.joints.push_back({free_name(result_.joints, second_.joints[j].name), std::max(0, joint_at(result_, body)), own});
+        result_.joints.push_back(
+            {free_name(result_.joints, second_.joints[j].name), std::max(0, joint_at(result_, body)), own});
     }
 
     const ReferenceClip* partner_of(const ReferenceClip& clip) const {
@@ -103,17 +108,21 @@ private:
         return &second_.clips[same >= 0 ? static_cast<std::size_t>(same) : 0];
     }
 
-    // The partner's clip runs a whole number of times within the clip. Feet that both have keep the first's ground.
+    // The partner's clip runs a whole number of times within the clip. Feet that both have keep the first's
+    // ground.
     void mix(ReferenceClip& clip) const {
         const ReferenceClip* partner = partner_of(clip);
         if (!partner) return;
-        std::erase_if(clip.tracks, [&](const ReferenceTrack& t) { return owner_of(first_, t.joint) == Owner::second; });
+        std::erase_if(clip.tracks,
+                      [&](const ReferenceTrack& t) { return owner_of(first_, t.joint) == Owner::second; });
         for (ReferenceTrack& track : clip.tracks)
             if (owner_of(first_, track.joint) == Owner::both && !on_ground(track)) scale(track, share_);
         const int times = std::max(1, static_cast<int>(std::rint(clip.duration / partner->duration)));
         for (ReferenceTrack track : partner->tracks) {
             const Owner owner = owner_of(second_, track.joint);
-            if (joint_[track.joint] < 0 || owner == Owner::first || (owner == Owner::both && on_ground(track))) continue;
+            if (joint_[track.joint] < 0 || owner == Owner::first ||
+                (owner == Owner::both && on_ground(track)))
+                continue;
             if (owner == Owner::both) scale(track, 1 - share_);
             track.joint = joint_[track.joint];
             if (!on_ground(track)) track.cycles *= times;

@@ -9,15 +9,16 @@
 namespace pantin {
 namespace {
 
-constexpr int most_ends = 24;       // a skeleton with more is a scribble
-constexpr double tie = 1e-9;        // distances closer than this are equal
-constexpr double head_weight = 2;   // of the head's side against the graph distance
-constexpr double ilp_margin = 1e-6; // GLPK's own tolerance on sums
+constexpr int most_ends = 24;          // a skeleton with more is a scribble
+constexpr double tie = 1e-9;           // distances closer than this are equal
+constexpr double head_weight = 2;      // of the head's side against the graph distance
+constexpr double ilp_margin = 1e-6;    // GLPK's own tolerance on sums
 constexpr double smallest_body = 0.15; // share of the silhouette on which a head can nod
 constexpr double smallest_part =
     0.02; // share of the silhouette that can move although no skeleton end lies in it
 
-// A reference whose needs are met is chosen before the one that it is like, and changes nothing between types.
+// A reference whose needs are met is chosen before the one that it is like, and changes nothing between
+// types.
 constexpr double special_bonus = 0.01;
 
 // Of the borders between parts against the root of the silhouette's area. Real drawings measured here stay
@@ -125,7 +126,8 @@ Candidate compare(const LabelledGraph& graph, const ReferenceSkeleton& reference
     candidate.distance = best.distance;
     candidate.optimal = best.optimal;
     candidate.pairs = std::move(best.pairs);
-    candidate.terms = matching_terms(graph, candidate.mirrored ? mirrored(model) : model, candidate.pairs, ggd);
+    candidate.terms =
+        matching_terms(graph, candidate.mirrored ? mirrored(model) : model, candidate.pairs, ggd);
     return candidate;
 }
 
@@ -199,7 +201,8 @@ void sort_by_score(std::vector<Candidate>& candidates) {
 }
 
 const ReferenceSkeleton& named(const std::vector<ReferenceSkeleton>& references, const std::string& name) {
-    const auto found = std::find_if(references.begin(), references.end(), [&](auto& r) { return r.name == name; });
+    const auto found =
+        std::find_if(references.begin(), references.end(), [&](auto& r) { return r.name == name; });
     if (found == references.end()) throw Error(ErrorKind::input, "there is no reference '" + name + "'");
     return *found;
 }
@@ -242,7 +245,8 @@ Identification identify(const SkeletonGraph& graph, const LabelMap& labels,
     const ReferenceSkeleton& chosen = named(references, result.reference);
     if (stands_alone(chosen)) {
         result.type = has_evidence(chosen.name) ? chosen.name : type_of(chosen);
-        const auto own = std::find_if(standing.begin(), standing.end(), [&](auto& c) { return c.reference == chosen.name; });
+        const auto own = std::find_if(standing.begin(), standing.end(),
+                                      [&](auto& c) { return c.reference == chosen.name; });
         result.confidence = confidence_of(*own, standing);
     } else {
         result.type = chosen.like == "any" ? chosen.name : chosen.like;

@@ -115,7 +115,8 @@ double matching_cost(const LabelledGraph& a, const LabelledGraph& b, const Edges
     return cost;
 }
 
-GgdTerms matching_terms(const LabelledGraph& a, const LabelledGraph& b, const Edges& pairs, const GgdOptions& options) {
+GgdTerms matching_terms(const LabelledGraph& a, const LabelledGraph& b, const Edges& pairs,
+                        const GgdOptions& options) {
     const Images images = images_of(a, b, pairs);
     GgdTerms terms;
     for (const auto& e : b.edges) terms.edges_b += options.k_e * edge_length(b, e);

@@ -97,11 +97,12 @@ ReferenceJoint read_joint(const JsonReader& reader, const ReferenceSkeleton& ske
 }
 
 ReferenceTrack read_track(const JsonReader& reader, const ReferenceSkeleton& skeleton) {
-    expect_keys(reader, {"joint", "axis", "segment", "amplitude", "phase", "offset", "cycles", "lift", "duty", "bend"});
+    expect_keys(reader, {"joint", "axis", "segment", "amplitude", "phase", "offset", "cycles", "lift", "duty",
+                         "bend"});
     ReferenceTrack track;
     track.joint = find_named(reader.at("joint"), skeleton.joints, "joint");
     track.axis = read_name(reader.at("axis"));
-    static constexpr std::array<std::string_view, 10> axes = {"x",    "y",     "z",  "lift", "flap",
+    static constexpr std::array<std::string_view, 10> axes = {"x",     "y",  "z",  "lift", "flap",
                                                               "twist", "tx", "ty", "step", "plant"};
     if (std::find(axes.begin(), axes.end(), track.axis) == axes.end())
         reader.at("axis").fail("must be x, y, z, lift, flap, twist, tx, ty, step or plant");
@@ -112,7 +113,8 @@ ReferenceTrack read_track(const JsonReader& reader, const ReferenceSkeleton& ske
     for (const char* key : {"segment", "offset", "cycles"})
         if (reader.has(key) && grounded) reader.at(key).fail("does not belong to the axes step and plant");
     if (reader.has("segment")) track.segment = read_integer(reader.at("segment"), 0, 8);
-    if (steps || !grounded) track.amplitude = reader.at("amplitude").number(steps ? 0 : -360, steps ? 1 : 360);
+    if (steps || !grounded)
+        track.amplitude = reader.at("amplitude").number(steps ? 0 : -360, steps ? 1 : 360);
     if (reader.has("lift")) track.lift = reader.at("lift").number(0, 0.8);
     if (reader.has("duty")) track.duty = reader.at("duty").number(0.1, 0.95);
     if (reader.has("bend")) track.bend = read_integer(reader.at("bend"), -1, 1) < 0 ? -1 : 1;

@@ -120,9 +120,9 @@ double quantity(std::string_view name, const SkeletonGraph& graph, const Traits&
     const auto trait = std::find(trait_names.begin(), trait_names.end(), name);
     if (trait != trait_names.end()) return traits[static_cast<std::size_t>(trait - trait_names.begin())];
     const Label wanted = name == "limb_ends" ? Label::limb : Label::wing;
-    return static_cast<double>(std::count_if(graph.vertices.begin(), graph.vertices.end(), [wanted](const SkeletonVertex& v) {
-        return v.end && v.label == wanted;
-    }));
+    return static_cast<double>(
+        std::count_if(graph.vertices.begin(), graph.vertices.end(),
+                      [wanted](const SkeletonVertex& v) { return v.end && v.label == wanted; }));
 }
 
 } // namespace pantin

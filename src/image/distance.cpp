@@ -56,8 +56,8 @@ private:
     std::vector<int> parabolas_, starts_;
 };
 
-// Calls run(first, last) for the stretches of 0 … n−1 that end at the zeros and hold none inside. What lies beyond a
-// zero is farther than the zero, so each stretch has its own envelope.
+// Calls run(first, last) for the stretches of 0 … n−1 that end at the zeros and hold none inside. What lies
+// beyond a zero is farther than the zero, so each stretch has its own envelope.
 template <class Zero, class Run> void between_zeros(int n, Zero zero, Run run) {
     for (int first = 0; first < n;) {
         int last = first + 1;
@@ -125,7 +125,8 @@ Mask within_disc(const Mask& mask, std::uint8_t value, bool outside, double radi
     Mask near(w, h);
     if (mask.empty()) return near;
     const Grid<int> column = column_distance(mask, value, outside, far);
-    // reach[d]: how far to both sides the disc around a pixel with that value still covers the row d away; −1: no more.
+    // reach[d]: how far to both sides the disc around a pixel with that value still covers the row d away;
+    // −1: no more.
     std::vector<int> reach(static_cast<std::size_t>(far) + 1, -1);
     double k = std::min(std::floor(radius), static_cast<double>(far));
     for (int d = 0; d < far; ++d) {

@@ -10,7 +10,8 @@ namespace pantin {
 // more, which is larger than any true distance in the image.
 Grid<int> squared_distance_to(const Mask& mask, std::uint8_t value, bool outside);
 
-// Whether a pixel with that value lies at most `radius` away: the same question for one radius, several times faster.
+// Whether a pixel with that value lies at most `radius` away: the same question for one radius, several times
+// faster.
 Mask within_disc(const Mask& mask, std::uint8_t value, bool outside, double radius);
 
 } // namespace pantin

@@ -1,6 +1,7 @@
 // This work is based on:
-// Gortler et al., The Lumigraph, 1996, section 3.4 (push-pull: scattered colours averaged up a pyramid and carried down into
-// the gaps), followed by Jacobi steps of Laplace's equation, which take the pyramid's blocks out.
+// Gortler et al., The Lumigraph, 1996, section 3.4 (push-pull: scattered colours averaged up a pyramid and
+// carried down into the gaps), followed by Jacobi steps of Laplace's equation, which take the pyramid's
+// blocks out.
 #include <algorithm>
 #include <vector>
 
@@ -71,7 +72,9 @@ void smooth(Grid<Colour>& colour, const std::vector<Point2i>& hole) {
     }
 }
 
-std::uint8_t byte_of(float value) { return static_cast<std::uint8_t>(std::clamp(value + 0.5f, 0.0f, 255.0f)); }
+std::uint8_t byte_of(float value) {
+    return static_cast<std::uint8_t>(std::clamp(value + 0.5f, 0.0f, 255.0f));
+}
 
 } // namespace
 
@@ -86,7 +89,8 @@ RgbImage fill_in(const RgbImage& image, const Mask& hole) {
                 continue;
             }
             const Rgb8 p = image(x, y);
-            pyramid[0].colour(x, y) = {static_cast<float>(p.r), static_cast<float>(p.g), static_cast<float>(p.b)};
+            pyramid[0].colour(x, y) = {static_cast<float>(p.r), static_cast<float>(p.g),
+                                       static_cast<float>(p.b)};
             pyramid[0].known(x, y) = 1;
         }
     while (pyramid.back().colour.size() > 1) pyramid.push_back(halved(pyramid.back()));

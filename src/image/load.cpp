@@ -37,8 +37,8 @@ ContainerInfo check_container(const std::string& source, Bytes bytes, int min_si
     if (info.width > side_limit || info.height > side_limit)
         invalid(source, "is " + size + " pixels; the limit is " + std::to_string(max_image_side) + " a side");
     if (std::uint64_t{info.width} * info.height > static_cast<std::uint64_t>(max_image_pixels))
-        invalid(source, "is " + size + " pixels; the limit is " + std::to_string(max_image_pixels / 1'000'000) +
-                          " megapixels");
+        invalid(source, "is " + size + " pixels; the limit is " +
+                            std::to_string(max_image_pixels / 1'000'000) + " megapixels");
     if (!info.problem.empty()) invalid(source, info.problem);
     const auto smallest = static_cast<std::uint32_t>(min_side);
     if (info.width < smallest || info.height < smallest)
@@ -138,8 +138,12 @@ int orientation_of(int degrees) {
 
 } // namespace
 
-RgbImage turned(RgbImage image, int degrees) { return apply_orientation(std::move(image), orientation_of(degrees)); }
-GreyImage turned(GreyImage image, int degrees) { return apply_orientation(std::move(image), orientation_of(degrees)); }
+RgbImage turned(RgbImage image, int degrees) {
+    return apply_orientation(std::move(image), orientation_of(degrees));
+}
+GreyImage turned(GreyImage image, int degrees) {
+    return apply_orientation(std::move(image), orientation_of(degrees));
+}
 
 RgbImage decode_image(Bytes bytes, const std::string& source, int min_side) {
     const ContainerInfo info = check_container(source, bytes, min_side);

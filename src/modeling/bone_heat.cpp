@@ -1,4 +1,5 @@
-// This work is based on: I. Baran, J. Popović, Automatic rigging and animation of 3D characters, 2007, section 4.
+// This work is based on: I. Baran, J. Popović, Automatic rigging and animation of 3D characters, 2007,
+// section 4.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -14,7 +15,7 @@ namespace {
 
 constexpr double heat = 2;             // c: the larger, the more the nearest bone counts
 constexpr double same_distance = 1e-9; // of the mesh's size: bones so equally near share the heat
-constexpr double least_weight = 1e-4; // smaller influences are dropped
+constexpr double least_weight = 1e-4;  // smaller influences are dropped
 
 using Matrix = Eigen::SparseMatrix<double>;
 
@@ -52,7 +53,8 @@ double size_of(const SolidMesh& mesh) {
 }
 
 // The surface's Laplacian, its edge weights at least 0, and a third of each triangle's area at its corners.
-void add_surface(const SolidMesh& mesh, std::vector<Eigen::Triplet<double>>& entries, std::vector<double>& area) {
+void add_surface(const SolidMesh& mesh, std::vector<Eigen::Triplet<double>>& entries,
+                 std::vector<double>& area) {
     for (const auto& triangle : mesh.triangles)
         for (int k = 0; k < 3; ++k) {
             const int at = triangle[k], i = triangle[(k + 1) % 3], j = triangle[(k + 2) % 3];
@@ -66,13 +68,15 @@ void add_surface(const SolidMesh& mesh, std::vector<Eigen::Triplet<double>>& ent
         }
 }
 
-// Four influences are left: what the fifth has is taken from all, so that weights stay continuous where one bone takes another's place.
+// Four influences are left: what the fifth has is taken from all, so that weights stay continuous where one
+// bone takes another's place.
 void keep_four(std::vector<double>& weights) {
     if (weights.size() <= 4) return;
     std::vector<double> sorted = weights;
     std::nth_element(sorted.begin(), sorted.begin() + 4, sorted.end(), std::greater<>());
     const double fifth = sorted[4];
-    if (*std::max_element(weights.begin(), weights.end()) <= fifth) return; // five equal ones: the first four stay
+    if (*std::max_element(weights.begin(), weights.end()) <= fifth)
+        return; // five equal ones: the first four stay
     for (double& w : weights) w = std::max(w - fifth, 0.0);
 }
 
@@ -91,7 +95,8 @@ std::vector<VertexWeights> bone_heat(const SolidMesh& mesh, const std::vector<Bo
         const double d = std::max(nearest.distance, 1e-4 * size);
         const double strength = heat * std::max(area[v], 1e-12 * size * size) / (d * d);
         entries.emplace_back(v, v, strength);
-        for (const int b : nearest.bones) sources(v, b) = strength / static_cast<double>(nearest.bones.size());
+        for (const int b : nearest.bones)
+            sources(v, b) = strength / static_cast<double>(nearest.bones.size());
     }
     Matrix matrix(count, count);
     matrix.setFromTriplets(entries.begin(), entries.end());
@@ -101,7 +106,8 @@ std::vector<VertexWeights> bone_heat(const SolidMesh& mesh, const std::vector<Bo
     std::vector<VertexWeights> weights;
     std::vector<double> row(bones.size());
     for (int v = 0; v < count; ++v) {
-        for (int b = 0; b < bone_count; ++b) row[b] = sources(v, b) < least_weight ? 0 : std::min(sources(v, b), 1.0);
+        for (int b = 0; b < bone_count; ++b)
+            row[b] = sources(v, b) < least_weight ? 0 : std::min(sources(v, b), 1.0);
         keep_four(row);
         weights.push_back(quantised(row));
     }

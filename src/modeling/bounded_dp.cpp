@@ -18,7 +18,8 @@ double line_distance(Point2d p, Point2d a, Point2d b) {
 std::vector<int> bounded_dp(const Cylinder& cylinder, double threshold, double shape_weight) {
     const int count = static_cast<int>(cylinder.axis.size());
     std::vector<double> along(count, 0.0); // arc length: the axis stretched straight
-    for (int i = 1; i < count; ++i) along[i] = along[i - 1] + distance(cylinder.axis[i - 1], cylinder.axis[i]);
+    for (int i = 1; i < count; ++i)
+        along[i] = along[i - 1] + distance(cylinder.axis[i - 1], cylinder.axis[i]);
     const auto side_error = [&](const std::vector<double>& width, int i, int first, int last) {
         return line_distance({along[i], width[i]}, {along[first], width[first]}, {along[last], width[last]});
     };
@@ -32,7 +33,8 @@ std::vector<int> bounded_dp(const Cylinder& cylinder, double threshold, double s
         double largest = threshold;
         for (int i = first + 1; i < last; ++i) {
             const double error = line_distance(cylinder.axis[i], cylinder.axis[first], cylinder.axis[last]) +
-                                 shape_weight * (side_error(cylinder.left, i, first, last) + side_error(cylinder.right, i, first, last));
+                                 shape_weight * (side_error(cylinder.left, i, first, last) +
+                                                 side_error(cylinder.right, i, first, last));
             if (error > largest) largest = error, best = i;
         }
         if (best < 0) continue;

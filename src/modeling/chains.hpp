@@ -5,7 +5,8 @@
 
 namespace pantin {
 
-// The chains of joints from an end or a junction to the next one, each once. A joint without neighbours is in none.
+// The chains of joints from an end or a junction to the next one, each once. A joint without neighbours is in
+// none.
 inline std::vector<std::vector<int>> chains_of(const std::vector<std::vector<int>>& neighbours) {
     std::vector<std::vector<int>> chains;
     for (int a = 0; a < static_cast<int>(neighbours.size()); ++a) {

@@ -26,17 +26,19 @@ Foot foot_of(Vec3 p, Vec3 a, Vec3 b) {
 
 struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
-    double gap = std::numeric_limits<double>::infinity(); // to the surface of the balls and cylinders; negative: inside
+    double gap = std::numeric_limits<double>::infinity(); // to the surface of the balls and cylinders;
+                                                          // negative: inside
     int joint = -1;                                       // of the child
-    int bone = -1;                                        // of the parent; −1: its joint `parent_joint` alone
-    int parent_joint = -1;                                // the end of the bone when the foot is not inside
+    int bone = -1;         // of the parent; −1: its joint `parent_joint` alone
+    int parent_joint = -1; // the end of the bone when the foot is not inside
     double share = 0;
     bool split = false;
 };
 
 class Connector {
 public:
-    Connector(const std::vector<JointTree>& parts, const std::vector<ParentWish>& wishes) : parts_(parts), wishes_(wishes) {}
+    Connector(const std::vector<JointTree>& parts, const std::vector<ParentWish>& wishes)
+        : parts_(parts), wishes_(wishes) {}
 
     Connection run() {
         for (int part = 0; part < std::ssize(parts_); ++part) {
@@ -63,13 +65,15 @@ private:
         return found;
     }
 
-    // Of the child's candidates and the parent's bones, as they are now (`divided`) or as they were drawn, the nearest pair.
+    // Of the child's candidates and the parent's bones, as they are now (`divided`) or as they were drawn,
+    // the nearest pair.
     Nearest nearest_to(int child, int parent, bool divided) const {
         const JointTree& tree = divided ? connected_.tree : parts_[parent];
         Nearest best;
         const auto offer = [&](int joint, const Foot& foot, double radius, int bone, int end) {
             best.gap = std::min(best.gap, foot.distance - radius);
-            if (foot.distance < best.distance) best = {foot.distance, best.gap, joint, bone, end, foot.share, foot.inside};
+            if (foot.distance < best.distance)
+                best = {foot.distance, best.gap, joint, bone, end, foot.share, foot.inside};
         };
         for (const int joint : candidates(child)) {
             const Vec3 p = parts_[child].joints[joint].place;
@@ -98,7 +102,8 @@ private:
                     const JointTree::Joint &a = cylinders.joints[from], &c = cylinders.joints[to];
                     const Foot foot = foot_of(ball.place, a.place, c.place);
                     if (foot.inside)
-                        least = std::min(least, foot.distance - ball.radius - (a.radius + foot.share * (c.radius - a.radius)));
+                        least = std::min(least, foot.distance - ball.radius -
+                                                    (a.radius + foot.share * (c.radius - a.radius)));
                 }
             }
         };
@@ -111,7 +116,8 @@ private:
     int nearer_copy(int part, int parent) const {
         const int copy = parent + 1;
         if (parent < 0 || copy >= part || wishes_[copy].like != parent) return parent;
-        return nearest_to(part, copy, false).distance < nearest_to(part, parent, false).distance ? copy : parent;
+        return nearest_to(part, copy, false).distance < nearest_to(part, parent, false).distance ? copy
+                                                                                                 : parent;
     }
 
     int choose_parent(int part) const {
@@ -126,12 +132,14 @@ private:
         double nearest = std::numeric_limits<double>::infinity();
         for (int other = 0; other < part; ++other) {
             const Nearest found = nearest_to(part, other, false);
-            if (found.gap <= 0 && found.distance < nearest) std::tie(best, nearest) = std::tuple(other, found.distance);
+            if (found.gap <= 0 && found.distance < nearest)
+                std::tie(best, nearest) = std::tuple(other, found.distance);
         }
         if (best >= 0) return best;
         nearest = 0;
         for (int other = 0; other < part; ++other)
-            if (const double gap = clearance(part, other); gap < nearest) std::tie(best, nearest) = std::tuple(other, gap);
+            if (const double gap = clearance(part, other); gap < nearest)
+                std::tie(best, nearest) = std::tuple(other, gap);
         return best;
     }
 
@@ -140,7 +148,8 @@ private:
             joint.part = part;
             connected_.tree.joints.push_back(joint);
         }
-        for (const auto& [a, b] : parts_[part].bones) connected_.tree.bones.emplace_back(first + a, first + b);
+        for (const auto& [a, b] : parts_[part].bones)
+            connected_.tree.bones.emplace_back(first + a, first + b);
     }
 
     void attach(Attachment& attachment, const Nearest& nearest, int first) {
@@ -153,7 +162,8 @@ private:
             const JointTree::Joint from = tree.joints[a], to = tree.joints[b];
             attachment.parent_joint = static_cast<int>(tree.joints.size());
             tree.joints.push_back({from.place + nearest.share * (to.place - from.place),
-                                   from.radius + nearest.share * (to.radius - from.radius), attachment.parent});
+                                   from.radius + nearest.share * (to.radius - from.radius),
+                                   attachment.parent});
             tree.bones[nearest.bone].second = attachment.parent_joint;
             tree.bones.emplace_back(attachment.parent_joint, b);
         }
@@ -167,6 +177,8 @@ private:
 
 } // namespace
 
-Connection connect(const std::vector<JointTree>& parts, const std::vector<ParentWish>& wishes) { return Connector(parts, wishes).run(); }
+Connection connect(const std::vector<JointTree>& parts, const std::vector<ParentWish>& wishes) {
+    return Connector(parts, wishes).run();
+}
 
 } // namespace pantin

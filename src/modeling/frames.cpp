@@ -20,11 +20,13 @@ Frame moved(const Frame& frame, Vec3 centre, const MovePart& move) {
     const auto turned = [&](Vec3 v) { // Rodrigues' formula
         return move.scale * (cosine * v + sine * cross(axis, v) + (1 - cosine) * dot(axis, v) * axis);
     };
-    return {centre + turned(frame.origin - centre) + move.translate, turned(frame.right), turned(frame.down), turned(frame.out)};
+    return {centre + turned(frame.origin - centre) + move.translate, turned(frame.right), turned(frame.down),
+            turned(frame.out)};
 }
 
 Frame mirrored(const Frame& frame, Symmetry symmetry) {
-    const Vec3 sign{symmetry == Symmetry::x ? -1.0 : 1.0, symmetry == Symmetry::y ? -1.0 : 1.0, symmetry == Symmetry::z ? -1.0 : 1.0};
+    const Vec3 sign{symmetry == Symmetry::x ? -1.0 : 1.0, symmetry == Symmetry::y ? -1.0 : 1.0,
+                    symmetry == Symmetry::z ? -1.0 : 1.0};
     const auto flipped = [&](Vec3 v) { return Vec3{sign.x * v.x, sign.y * v.y, sign.z * v.z}; };
     return {flipped(frame.origin), flipped(frame.right), flipped(frame.down), flipped(frame.out)};
 }

@@ -1,5 +1,5 @@
-// Ma et al. 2021, section 4.1: the polygon becomes a triangle mesh, its height field comes from Poisson's equation
-// (Dvorožňák et al., Monster Mash, 2020).
+// Ma et al. 2021, section 4.1: the polygon becomes a triangle mesh, its height field comes from Poisson's
+// equation (Dvorožňák et al., Monster Mash, 2020).
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace pantin {
 namespace {
 
 constexpr double grid_units = 1 << 20; // of the longer side of the outline: all predicates stay exact
-constexpr double load = 2;             // −Δh: a strip of half width w has h = w² − x², which is a circle's
+constexpr double load = 2; // −Δh: a strip of half width w has h = w² − x², which is a circle's
 
 // From the canvas to the grid of whole coordinates, and back.
 struct GridFrame {
@@ -28,18 +28,21 @@ struct GridFrame {
         scale = grid_units / std::max(far.x - corner.x, far.y - corner.y);
     }
     Point2i to_grid(Point2d p) const {
-        return {static_cast<int>(std::floor((p.x - corner.x) * scale + 0.5)), static_cast<int>(std::floor((p.y - corner.y) * scale + 0.5))};
+        return {static_cast<int>(std::floor((p.x - corner.x) * scale + 0.5)),
+                static_cast<int>(std::floor((p.y - corner.y) * scale + 0.5))};
     }
     Point2d to_canvas(Point2i p) const { return corner + (1 / scale) * to_double(p); }
 };
 
 double perimeter_of(const std::vector<Point2d>& outline) {
     double sum = 0;
-    for (std::size_t i = 0; i < outline.size(); ++i) sum += distance(outline[i], outline[(i + 1) % outline.size()]);
+    for (std::size_t i = 0; i < outline.size(); ++i)
+        sum += distance(outline[i], outline[(i + 1) % outline.size()]);
     return sum;
 }
 
-// Linear elements: stiffness by cotangents, a third of the load of each triangle at its corners; nothing at the border.
+// Linear elements: stiffness by cotangents, a third of the load of each triangle at its corners; nothing at
+// the border.
 std::vector<double> solve_poisson(const Inflation& mesh) {
     std::vector<int> number(mesh.points.size(), -1);
     int unknowns = 0;
@@ -50,10 +53,12 @@ std::vector<double> solve_poisson(const Inflation& mesh) {
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
     for (const auto& corners : mesh.triangles) {
-        const double twice = cross(mesh.points[corners[1]] - mesh.points[corners[0]], mesh.points[corners[2]] - mesh.points[corners[0]]);
+        const double twice = cross(mesh.points[corners[1]] - mesh.points[corners[0]],
+                                   mesh.points[corners[2]] - mesh.points[corners[0]]);
         for (int k = 0; k < 3; ++k) {
             const int at = corners[k], i = number[corners[(k + 1) % 3]], j = number[corners[(k + 2) % 3]];
-            const Point2d u = mesh.points[corners[(k + 1) % 3]] - mesh.points[at], v = mesh.points[corners[(k + 2) % 3]] - mesh.points[at];
+            const Point2d u = mesh.points[corners[(k + 1) % 3]] - mesh.points[at],
+                          v = mesh.points[corners[(k + 2) % 3]] - mesh.points[at];
             const double weight = 0.5 * dot(u, v) / twice;
             if (i >= 0) entries.emplace_back(i, i, weight);
             if (j >= 0) entries.emplace_back(j, j, weight);
@@ -81,7 +86,8 @@ Inflation inflate(const std::vector<Point2d>& stroke, const InflationOptions& op
     const double diagonal = diagonal_of(outline);
     TriangleQuality quality;
     const double width = std::abs(area_of(outline)) / perimeter_of(outline);
-    quality.longest_edge = grid.scale * std::clamp(1.4 * width, 0.012 * diagonal, options.longest_edge * diagonal);
+    quality.longest_edge =
+        grid.scale * std::clamp(1.4 * width, 0.012 * diagonal, options.longest_edge * diagonal);
     quality.shortest_edge = grid.scale * options.shortest_edge * diagonal;
     const Triangulation triangulation = refined(constrained_delaunay({loop}), quality);
 
@@ -106,16 +112,20 @@ SolidMesh part_surface(const Inflation& inflation, double height, const Frame& f
     SolidMesh mesh;
     std::vector<int> back(inflation.points.size());
     for (std::size_t p = 0; p < inflation.points.size(); ++p)
-        mesh.vertices.push_back(to_model(frame, inflation.points[p], height * std::sqrt(inflation.squared[p])));
+        mesh.vertices.push_back(
+            to_model(frame, inflation.points[p], height * std::sqrt(inflation.squared[p])));
     for (std::size_t p = 0; p < inflation.points.size(); ++p) {
         back[p] = inflation.border[p] ? static_cast<int>(p) : static_cast<int>(mesh.vertices.size());
-        if (!inflation.border[p]) mesh.vertices.push_back(to_model(frame, inflation.points[p], -height * std::sqrt(inflation.squared[p])));
+        if (!inflation.border[p])
+            mesh.vertices.push_back(
+                to_model(frame, inflation.points[p], -height * std::sqrt(inflation.squared[p])));
     }
     // Right, down and out are left-handed on the canvas, so positive triangles are clockwise from the front.
     const bool flip = dot(cross(frame.right, frame.down), frame.out) < 0;
     for (const auto& [a, b, c] : inflation.triangles) {
         mesh.triangles.push_back(flip ? std::array{a, c, b} : std::array{a, b, c});
-        mesh.triangles.push_back(flip ? std::array{back[a], back[b], back[c]} : std::array{back[a], back[c], back[b]});
+        mesh.triangles.push_back(flip ? std::array{back[a], back[b], back[c]}
+                                      : std::array{back[a], back[c], back[b]});
     }
     return mesh;
 }

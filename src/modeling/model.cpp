@@ -21,7 +21,8 @@ bool is_share(double value) { return std::isfinite(value) && value >= 0; }
 void check_range(const std::string& part, const Frame& frame) {
     constexpr double largest = 1e6, farthest = 1e15;
     const double size = length(frame.right);
-    if (!(size >= 1 / largest && size <= largest && length(frame.origin) <= farthest)) fail(part, "is too large, too small or too far away");
+    if (!(size >= 1 / largest && size <= largest && length(frame.origin) <= farthest))
+        fail(part, "is too large, too small or too far away");
 }
 
 template <class T> T& own(std::shared_ptr<T>& shared) {
@@ -51,15 +52,16 @@ JointTree in_space(const SubSkeleton& flat, const Frame& frame, double height, i
 // What was drawn and how it was moved; all that is made of this stroke alone.
 struct Model::Drawn {
     PartStroke stroke;
-    Frame frame;                  // after all moves
-    SubSkeletonOptions skeleton;  // with what refine() asked for
-    RefineSkeleton asked;         // for this part; otherwise the model's thresholds hold
+    Frame frame;                 // after all moves
+    SubSkeletonOptions skeleton; // with what refine() asked for
+    RefineSkeleton asked;        // for this part; otherwise the model's thresholds hold
     double diagonal = 0;
     SubSkeleton flat;
     std::shared_ptr<const Inflation> inflation; // made when it is needed
 };
 
-Model::Model(Point2d origin, const ModelOptions& options) : origin_(origin), options_(options), global_(options.refinement) {}
+Model::Model(Point2d origin, const ModelOptions& options)
+    : origin_(origin), options_(options), global_(options.refinement) {}
 
 Model::Model(const Strokes& strokes, const ModelOptions& options) : Model(strokes.origin, options) {
     for (const ModelCall& call : strokes.calls) apply(call);
@@ -114,7 +116,8 @@ void Model::add_part(const PartStroke& part) {
     d->skeleton = options_.skeleton;
     extract(*d);
     if (d->flat.outline.cut > 0)
-        repairs_.push_back("part '" + part.name + "': the stroke crosses itself, " + std::to_string(d->flat.outline.cut) +
+        repairs_.push_back("part '" + part.name + "': the stroke crosses itself, " +
+                           std::to_string(d->flat.outline.cut) +
                            (d->flat.outline.cut == 1 ? " loop" : " loops") + " cut off");
     drawn_.push_back(d);
     update();
@@ -131,7 +134,8 @@ void Model::remove_part(const std::string& name) {
 void Model::move_part(const MovePart& move) {
     Drawn& d = drawn(move.part);
     if (!(move.scale > 0) || !std::isfinite(move.scale)) fail(move.part, "the scale must be positive");
-    if (!std::isfinite(move.degrees) || !std::isfinite(dot(move.translate, move.translate))) fail(move.part, "a move is not a number");
+    if (!std::isfinite(move.degrees) || !std::isfinite(dot(move.translate, move.translate)))
+        fail(move.part, "a move is not a number");
     if (move.axis < 'x' || move.axis > 'z') fail(move.part, "the axis must be x, y or z");
     const Frame frame = moved(d.frame, to_model(d.frame, middle_of(d.flat.outline.corners)), move);
     check_range(move.part, frame);
@@ -146,7 +150,8 @@ void Model::set_symmetry(const std::string& name, Symmetry symmetry) {
 
 void Model::refine(const RefineSkeleton& call) {
     for (const auto& value : {call.simplify, call.prune, call.merge, call.collapse})
-        if (value && !is_share(*value)) throw Error(ErrorKind::input, "refine: a threshold must be a number of at least 0");
+        if (value && !is_share(*value))
+            throw Error(ErrorKind::input, "refine: a threshold must be a number of at least 0");
     if (call.part.empty()) {
         if (call.branch >= 0) throw Error(ErrorKind::input, "refine: a branch without its part");
         global_ = with(global_, call);
@@ -164,7 +169,8 @@ void Model::refine(const RefineSkeleton& call) {
     if (call.branch >= 0) {
         if (call.prune || call.merge || call.collapse) fail(call.part, "a branch can only be simplified");
         if (call.branch >= std::ssize(d.flat.branches))
-            fail(call.part, "it has no branch " + std::to_string(call.branch) + " of " + std::to_string(d.flat.branches.size()));
+            fail(call.part, "it has no branch " + std::to_string(call.branch) + " of " +
+                                std::to_string(d.flat.branches.size()));
     }
     if (call.simplify) simplify(d, call.branch, *call.simplify);
     if (call.prune) d.asked.prune = call.prune;
@@ -217,11 +223,14 @@ const Inflation& Model::inflation_of(int part) {
     return *d.inflation;
 }
 
-SolidMesh Model::surface(int part) { return part_surface(inflation_of(part), parts_[part].stroke.height, parts_[part].frame); }
+SolidMesh Model::surface(int part) {
+    return part_surface(inflation_of(part), parts_[part].stroke.height, parts_[part].frame);
+}
 
 std::vector<InflatedPart> Model::inflated() {
     std::vector<InflatedPart> result;
-    for (int p = 0; p < std::ssize(parts_); ++p) result.push_back({&inflation_of(p), parts_[p].stroke.height, parts_[p].frame});
+    for (int p = 0; p < std::ssize(parts_); ++p)
+        result.push_back({&inflation_of(p), parts_[p].stroke.height, parts_[p].frame});
     return result;
 }
 

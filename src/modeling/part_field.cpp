@@ -28,12 +28,14 @@ PartField::PartField(const InflatedPart& part, double spacing)
     const Extent extent = extent_of(inflation.points);
     const double margin = (outside_band + 1) * spacing_;
     corner_ = {extent.low.x - margin, extent.low.y - margin};
-    squared_ = Grid<double>(static_cast<int>(std::ceil((extent.high.x - extent.low.x + 2 * margin) / spacing_)) + 2,
-                            static_cast<int>(std::ceil((extent.high.y - extent.low.y + 2 * margin) / spacing_)) + 2, 0);
+    squared_ = Grid<double>(
+        static_cast<int>(std::ceil((extent.high.x - extent.low.x + 2 * margin) / spacing_)) + 2,
+        static_cast<int>(std::ceil((extent.high.y - extent.low.y + 2 * margin) / spacing_)) + 2, 0);
     slope_ = 2 * inflation.half_width;
     tabulate(inflation);
     continue_outside(inflation);
-    const double thickest = height_ * std::sqrt(*std::max_element(inflation.squared.begin(), inflation.squared.end()));
+    const double thickest =
+        height_ * std::sqrt(*std::max_element(inflation.squared.begin(), inflation.squared.end()));
     const double beyond = outside_band * spacing_;
     bool first = true;
     for (const double x : {extent.low.x - beyond, extent.high.x + beyond})
@@ -51,14 +53,19 @@ void PartField::tabulate(const Inflation& inflation) {
         const Point2d p = inflation.points[a], u = inflation.points[b] - p, v = inflation.points[c] - p;
         const double twice = cross(u, v);
         const Extent e = extent_of({p, p + u, p + v});
-        const int x0 = static_cast<int>(std::ceil((e.low.x - corner_.x) / spacing_)), x1 = static_cast<int>((e.high.x - corner_.x) / spacing_);
-        const int y0 = static_cast<int>(std::ceil((e.low.y - corner_.y) / spacing_)), y1 = static_cast<int>((e.high.y - corner_.y) / spacing_);
+        const int x0 = static_cast<int>(std::ceil((e.low.x - corner_.x) / spacing_)),
+                  x1 = static_cast<int>((e.high.x - corner_.x) / spacing_);
+        const int y0 = static_cast<int>(std::ceil((e.low.y - corner_.y) / spacing_)),
+                  y1 = static_cast<int>((e.high.y - corner_.y) / spacing_);
         for (int y = y0; y <= y1; ++y)
             for (int x = x0; x <= x1; ++x) {
-                const Point2d d = corner_ + spacing_ * Point2d{static_cast<double>(x), static_cast<double>(y)} - p;
+                const Point2d d =
+                    corner_ + spacing_ * Point2d{static_cast<double>(x), static_cast<double>(y)} - p;
                 const double s = cross(d, v) / twice, t = cross(u, d) / twice;
                 if (s < 0 || t < 0 || s + t > 1) continue;
-                squared_(x, y) = std::max(squared_(x, y), (1 - s - t) * inflation.squared[a] + s * inflation.squared[b] + t * inflation.squared[c]);
+                squared_(x, y) =
+                    std::max(squared_(x, y), (1 - s - t) * inflation.squared[a] + s * inflation.squared[b] +
+                                                 t * inflation.squared[c]);
             }
     }
 }
@@ -76,9 +83,12 @@ void PartField::continue_outside(const Inflation& inflation) {
             const auto column = [&](double x) { return static_cast<int>((x - corner_.x) / spacing_); };
             const auto row = [&](double y) { return static_cast<int>((y - corner_.y) / spacing_); };
             const double band = outside_band * spacing_;
-            for (int y = std::max(0, row(e.low.y - band)); y <= std::min(away.height() - 1, row(e.high.y + band) + 1); ++y)
-                for (int x = std::max(0, column(e.low.x - band)); x <= std::min(away.width() - 1, column(e.high.x + band) + 1); ++x) {
-                    const Point2d p = corner_ + spacing_ * Point2d{static_cast<double>(x), static_cast<double>(y)};
+            for (int y = std::max(0, row(e.low.y - band));
+                 y <= std::min(away.height() - 1, row(e.high.y + band) + 1); ++y)
+                for (int x = std::max(0, column(e.low.x - band));
+                     x <= std::min(away.width() - 1, column(e.high.x + band) + 1); ++x) {
+                    const Point2d p =
+                        corner_ + spacing_ * Point2d{static_cast<double>(x), static_cast<double>(y)};
                     const double t = std::clamp(square > 0 ? dot(p - a, v) / square : 0, 0.0, 1.0);
                     away(x, y) = std::min(away(x, y), distance(p, a + t * v));
                 }
@@ -89,13 +99,16 @@ void PartField::continue_outside(const Inflation& inflation) {
 
 double PartField::operator()(Vec3 p) const {
     const Vec3 d = (1 / (size_ * size_)) * (p - frame_.origin);
-    const double x = (dot(d, frame_.right) - corner_.x) / spacing_, y = (dot(d, frame_.down) - corner_.y) / spacing_;
+    const double x = (dot(d, frame_.right) - corner_.x) / spacing_,
+                 y = (dot(d, frame_.down) - corner_.y) / spacing_;
     const double z = dot(d, frame_.out) / height_;
-    const double xc = std::clamp(x, 0.0, squared_.width() - 1.001), yc = std::clamp(y, 0.0, squared_.height() - 1.001);
+    const double xc = std::clamp(x, 0.0, squared_.width() - 1.001),
+                 yc = std::clamp(y, 0.0, squared_.height() - 1.001);
     const int i = static_cast<int>(xc), j = static_cast<int>(yc);
     const double s = xc - i, t = yc - j;
     const double *top = squared_.row(j) + i, *bottom = squared_.row(j + 1) + i;
-    const double value = (1 - t) * ((1 - s) * top[0] + s * top[1]) + t * ((1 - s) * bottom[0] + s * bottom[1]);
+    const double value =
+        (1 - t) * ((1 - s) * top[0] + s * top[1]) + t * ((1 - s) * bottom[0] + s * bottom[1]);
     const double gx = ((1 - t) * (top[1] - top[0]) + t * (bottom[1] - bottom[0])) / spacing_;
     const double gy = ((1 - s) * (bottom[0] - top[0]) + s * (bottom[1] - top[1])) / spacing_;
     const double gz = 2 * z / height_;

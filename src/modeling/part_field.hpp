@@ -12,7 +12,8 @@ namespace pantin {
 struct Box3 {
     Vec3 low, high;
     bool holds(Vec3 p) const {
-        return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y && p.z >= low.z && p.z <= high.z;
+        return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y && p.z >= low.z &&
+               p.z <= high.z;
     }
     void include(Vec3 p) {
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
@@ -22,7 +23,8 @@ struct Box3 {
 
 class PartField {
 public:
-    PartField(const InflatedPart& part, double spacing); // spacing: of the table of the half thickness, model's units
+    PartField(const InflatedPart& part,
+              double spacing); // spacing: of the table of the half thickness, model's units
 
     const Box3& box() const { return box_; } // of the part in the model's frame
     // Negative inside, positive outside, zero on the surface; near it about the distance, model's units.

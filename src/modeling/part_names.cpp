@@ -50,7 +50,8 @@ std::vector<std::string> words_of(const std::string& name) {
             open = false;
             continue;
         }
-        const bool hump = capital && i > 0 && (is_small(name[i - 1]) || (i + 1 < name.size() && is_small(name[i + 1])));
+        const bool hump =
+            capital && i > 0 && (is_small(name[i - 1]) || (i + 1 < name.size() && is_small(name[i + 1])));
         if (!open || hump) words.emplace_back();
         open = true;
         words.back() += capital ? static_cast<char>(c - 'A' + 'a') : c;
@@ -59,15 +60,18 @@ std::vector<std::string> words_of(const std::string& name) {
 }
 
 Label label_of_singular(std::string_view word) {
-    const auto found = std::find_if(known_words.begin(), known_words.end(), [&](const Known& k) { return k.word == word; });
+    const auto found =
+        std::find_if(known_words.begin(), known_words.end(), [&](const Known& k) { return k.word == word; });
     return found == known_words.end() ? Label::background : found->label;
 }
 
 // "ears", "torsoes", "bellies".
 Label label_of_number(std::string_view word) {
     Label label = label_of_singular(word);
-    if (label == Label::background && word.ends_with('s')) label = label_of_singular(word.substr(0, word.size() - 1));
-    if (label == Label::background && word.ends_with("es")) label = label_of_singular(word.substr(0, word.size() - 2));
+    if (label == Label::background && word.ends_with('s'))
+        label = label_of_singular(word.substr(0, word.size() - 1));
+    if (label == Label::background && word.ends_with("es"))
+        label = label_of_singular(word.substr(0, word.size() - 2));
     if (label == Label::background && word.ends_with("ies"))
         label = label_of_singular(std::string(word.substr(0, word.size() - 3)) + "y");
     return label;
@@ -76,7 +80,8 @@ Label label_of_number(std::string_view word) {
 Label label_of_word(std::string_view word) {
     Label label = label_of_number(word);
     for (const std::string_view prefix : prefixes)
-        if (label == Label::background && word.starts_with(prefix)) label = label_of_number(word.substr(prefix.size()));
+        if (label == Label::background && word.starts_with(prefix))
+            label = label_of_number(word.substr(prefix.size()));
     return label;
 }
 

@@ -10,11 +10,13 @@
 namespace pantin {
 namespace {
 
-constexpr double margin = 0.03;              // of the longer side, around the model
-constexpr Point2d cabinet{-0.35, -0.2};      // shear of models with depth
-constexpr int drawing_scale = 2;             // pixels of the drawing to one of the labels
-constexpr double shortest_limb = 0.1;        // of the picture's diagonal: shorter branches (eyes, toes) are no end-effectors
-constexpr double merge_distance = 5.0 / 321; // of the longer side: junctions so close become one, as in skeletonization
+constexpr double margin = 0.03;         // of the longer side, around the model
+constexpr Point2d cabinet{-0.35, -0.2}; // shear of models with depth
+constexpr int drawing_scale = 2;        // pixels of the drawing to one of the labels
+constexpr double shortest_limb =
+    0.1; // of the picture's diagonal: shorter branches (eyes, toes) are no end-effectors
+constexpr double merge_distance =
+    5.0 / 321; // of the longer side: junctions so close become one, as in skeletonization
 constexpr Rgb8 paper{255, 255, 255};
 
 // Which part is seen at each pixel, and how near.
@@ -24,11 +26,13 @@ struct DepthPicture {
 };
 
 void rasterise(DepthPicture& picture, const std::array<Vec3, 3>& corners, int part) {
-    const Point2d a{corners[0].x, corners[0].y}, u = Point2d{corners[1].x, corners[1].y} - a, v = Point2d{corners[2].x, corners[2].y} - a;
+    const Point2d a{corners[0].x, corners[0].y}, u = Point2d{corners[1].x, corners[1].y} - a,
+                                                 v = Point2d{corners[2].x, corners[2].y} - a;
     const double twice = cross(u, v);
     if (twice == 0) return;
     const auto bounds = [](double p, double q, double r, int size) {
-        return std::pair{std::max(0, static_cast<int>(std::ceil(std::min({p, q, r})))), std::min(size - 1, static_cast<int>(std::floor(std::max({p, q, r}))))};
+        return std::pair{std::max(0, static_cast<int>(std::ceil(std::min({p, q, r})))),
+                         std::min(size - 1, static_cast<int>(std::floor(std::max({p, q, r}))))};
     };
     const auto [x0, x1] = bounds(corners[0].x, corners[1].x, corners[2].x, picture.part.width());
     const auto [y0, y1] = bounds(corners[0].y, corners[1].y, corners[2].y, picture.part.height());
@@ -46,8 +50,9 @@ void rasterise(DepthPicture& picture, const std::array<Vec3, 3>& corners, int pa
 
 // `finer` pixels to one of the view's, which the same centres share.
 DepthPicture picture_of(Model& model, const ModelView& view, int finer) {
-    DepthPicture picture{Grid<int>(view.width * finer, view.height * finer, -1),
-                         Grid<double>(view.width * finer, view.height * finer, -std::numeric_limits<double>::infinity())};
+    DepthPicture picture{
+        Grid<int>(view.width * finer, view.height * finer, -1),
+        Grid<double>(view.width * finer, view.height * finer, -std::numeric_limits<double>::infinity())};
     const auto place = [&](Vec3 p) {
         const Point2d q = project(view, p);
         return Vec3{(q.x + 0.5) * finer - 0.5, (q.y + 0.5) * finer - 0.5, p.z};
@@ -55,7 +60,8 @@ DepthPicture picture_of(Model& model, const ModelView& view, int finer) {
     for (int part = 0; part < std::ssize(model.parts()); ++part) {
         const SolidMesh mesh = model.surface(part);
         for (const auto& [a, b, c] : mesh.triangles)
-            rasterise(picture, {place(mesh.vertices[a]), place(mesh.vertices[b]), place(mesh.vertices[c])}, part);
+            rasterise(picture, {place(mesh.vertices[a]), place(mesh.vertices[b]), place(mesh.vertices[c])},
+                      part);
     }
     return picture;
 }
@@ -75,7 +81,8 @@ void draw_line(Point2i from, Point2i to, std::vector<Point2i>& pixels) {
 
 double steps_length(const std::vector<Point2i>& pixels) {
     double sum = 0;
-    for (std::size_t i = 1; i < pixels.size(); ++i) sum += distance(to_double(pixels[i - 1]), to_double(pixels[i]));
+    for (std::size_t i = 1; i < pixels.size(); ++i)
+        sum += distance(to_double(pixels[i - 1]), to_double(pixels[i]));
     return sum;
 }
 
@@ -96,16 +103,20 @@ std::vector<std::vector<int>> joined_neighbours(const ModelSkeleton& skeleton) {
     return neighbours;
 }
 
-// Takes away the shortest branch that ends, again and again, while it is short. Pixels are those of the joints.
-void prune_short(std::vector<std::vector<int>>& neighbours, const std::vector<Point2i>& pixels, double limit) {
+// Takes away the shortest branch that ends, again and again, while it is short. Pixels are those of the
+// joints.
+void prune_short(std::vector<std::vector<int>>& neighbours, const std::vector<Point2i>& pixels,
+                 double limit) {
     for (;;) {
         std::vector<int> shortest;
         double least = limit;
         for (const std::vector<int>& chain : chains_of(neighbours)) {
-            const bool front = neighbours[chain.front()].size() == 1, back = neighbours[chain.back()].size() == 1;
+            const bool front = neighbours[chain.front()].size() == 1,
+                       back = neighbours[chain.back()].size() == 1;
             if (front == back) continue;
             double size = 0;
-            for (std::size_t i = 1; i < chain.size(); ++i) size += distance(to_double(pixels[chain[i - 1]]), to_double(pixels[chain[i]]));
+            for (std::size_t i = 1; i < chain.size(); ++i)
+                size += distance(to_double(pixels[chain[i - 1]]), to_double(pixels[chain[i]]));
             if (size >= least) continue;
             least = size;
             shortest = chain;
@@ -119,12 +130,18 @@ void prune_short(std::vector<std::vector<int>>& neighbours, const std::vector<Po
 
 Rgb8 default_colour(Label label) {
     switch (label) {
-    case Label::head: return {240, 196, 150};
-    case Label::body: return {226, 170, 120};
-    case Label::limb: return {214, 152, 104};
-    case Label::tail: return {200, 138, 92};
-    case Label::wing: return {170, 196, 226};
-    default: return {210, 210, 210};
+    case Label::head:
+        return {240, 196, 150};
+    case Label::body:
+        return {226, 170, 120};
+    case Label::limb:
+        return {214, 152, 104};
+    case Label::tail:
+        return {200, 138, 92};
+    case Label::wing:
+        return {170, 196, 226};
+    default:
+        return {210, 210, 210};
     }
 }
 
@@ -143,8 +160,11 @@ Point2d project(const ModelView& view, Vec3 p) {
 ModelView view_of(const Model& model, const SolidMesh& mesh, int size) {
     ModelView view;
     for (const ModelPart& part : model.parts())
-        if (part.stroke.view != Viewpoint::front || part.stroke.depth != 0 || part.stroke.symmetry == Symmetry::z) view.shear = cabinet;
-    Point2d low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}, high = -1 * low;
+        if (part.stroke.view != Viewpoint::front || part.stroke.depth != 0 ||
+            part.stroke.symmetry == Symmetry::z)
+            view.shear = cabinet;
+    Point2d low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()},
+        high = -1 * low;
     for (const Vec3& v : mesh.vertices) {
         const Point2d p = project(view, v);
         low = {std::min(low.x, p.x), std::min(low.y, p.y)};
@@ -162,10 +182,12 @@ ModelView view_of(const Model& model, const SolidMesh& mesh, int size) {
 
 ModelPicture draw(Model& model, const ModelView& view) {
     const DepthPicture coarse = picture_of(model, view, 1), fine = picture_of(model, view, drawing_scale);
-    ModelPicture picture{RgbImage(fine.part.width(), fine.part.height(), paper), LabelMap(view.width, view.height)};
+    ModelPicture picture{RgbImage(fine.part.width(), fine.part.height(), paper),
+                         LabelMap(view.width, view.height)};
     const std::vector<ModelPart>& parts = model.parts();
     for (std::size_t i = 0; i < coarse.part.size(); ++i)
-        if (const int part = coarse.part.data()[i]; part >= 0) picture.labels.data()[i] = static_cast<std::uint8_t>(label_of(parts[part]));
+        if (const int part = coarse.part.data()[i]; part >= 0)
+            picture.labels.data()[i] = static_cast<std::uint8_t>(label_of(parts[part]));
     for (std::size_t i = 0; i < fine.part.size(); ++i)
         if (const int part = fine.part.data()[i]; part >= 0)
             picture.drawing.data()[i] = colour_of(parts[part]);
@@ -189,11 +211,14 @@ SkeletonGraph project_skeleton(const Model& model, const ModelView& view) {
     for (int j = 0; j < std::ssize(neighbours); ++j) {
         if (neighbours[j].empty() || neighbours[j].size() == 2) continue;
         vertex[j] = static_cast<int>(graph.vertices.size());
-        graph.vertices.push_back({1.0 * pixels[j].x, 1.0 * pixels[j].y, label_of(model.parts()[skeleton.joints[j].part]), neighbours[j].size() == 1});
+        graph.vertices.push_back({1.0 * pixels[j].x, 1.0 * pixels[j].y,
+                                  label_of(model.parts()[skeleton.joints[j].part]),
+                                  neighbours[j].size() == 1});
     }
     for (const std::vector<int>& chain : chains_of(neighbours)) {
         SkeletonEdge edge{vertex[chain.front()], vertex[chain.back()], 0, {}};
-        for (std::size_t i = 1; i < chain.size(); ++i) draw_line(pixels[chain[i - 1]], pixels[chain[i]], edge.pixels);
+        for (std::size_t i = 1; i < chain.size(); ++i)
+            draw_line(pixels[chain[i - 1]], pixels[chain[i]], edge.pixels);
         if (edge.u > edge.v) {
             std::swap(edge.u, edge.v);
             std::reverse(edge.pixels.begin(), edge.pixels.end());

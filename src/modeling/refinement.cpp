@@ -18,8 +18,8 @@ struct Branch {
 class Refiner {
 public:
     Refiner(const JointTree& skeleton, const std::vector<RefinementOptions>& limits)
-        : skeleton_(skeleton), limits_(limits), neighbours_(skeleton.joints.size()), gone_(skeleton.joints.size()),
-          group_(skeleton.joints.size()) {
+        : skeleton_(skeleton), limits_(limits), neighbours_(skeleton.joints.size()),
+          gone_(skeleton.joints.size()), group_(skeleton.joints.size()) {
         std::iota(group_.begin(), group_.end(), 0);
         for (const auto& [a, b] : skeleton.bones) {
             neighbours_[a].push_back(b);
@@ -42,9 +42,9 @@ public:
             std::erase_if(neighbours_[j], [&](int n) { return gone_[j] || gone_[n]; });
     }
 
-    // Along each branch a junction nearer than the limit to the last one that stays becomes that one. Junctions that pruning made
-    // inner joints count as well, and what lies between near ones goes even where they stay: so that a larger limit of prune() never
-    // gives more joints.
+    // Along each branch a junction nearer than the limit to the last one that stays becomes that one.
+    // Junctions that pruning made inner joints count as well, and what lies between near ones goes even where
+    // they stay: so that a larger limit of prune() never gives more joints.
     void merge_junctions() {
         for (const Branch& branch : branches()) {
             const std::vector<int>& joints = branch.joints;
@@ -53,9 +53,12 @@ public:
             for (std::size_t i = 0; i < joints.size(); ++i) {
                 if (!was_junction_[joints[i]]) continue;
                 double span = std::numeric_limits<double>::infinity();
-                if (last < i) span = in_limits(length_of(joints, last, i), joints[last], joints[i], &RefinementOptions::merge);
+                if (last < i)
+                    span = in_limits(length_of(joints, last, i), joints[last], joints[i],
+                                     &RefinementOptions::merge);
                 if (span < 1)
-                    for (std::size_t k = last + 1; k < i; ++k) join(joints[k], is_end(joints[last]) ? joints[i] : joints[last]);
+                    for (std::size_t k = last + 1; k < i; ++k)
+                        join(joints[k], is_end(joints[last]) ? joints[i] : joints[last]);
                 way += span;
                 if (way < 1 && !is_end(joints[last]) && !is_end(joints[i]))
                     join(joints[i], joints[last]);
@@ -66,8 +69,9 @@ public:
         }
     }
 
-    // Along each branch an inner joint nearer than the limit to the last one that stays becomes that one. The way along the branch
-    // counts, so that a branch of many short bones is thinned and does not shrink to a joint.
+    // Along each branch an inner joint nearer than the limit to the last one that stays becomes that one. The
+    // way along the branch counts, so that a branch of many short bones is thinned and does not shrink to a
+    // joint.
     void collapse() {
         for (const Branch& branch : branches()) {
             const std::vector<int>& joints = branch.joints;
@@ -75,7 +79,8 @@ public:
             for (std::size_t i = 1; i < joints.size(); ++i) {
                 const int a = joints[i - 1], b = joints[i];
                 if (is_end(a) || is_end(b)) continue;
-                if (root(a) != root(b)) way += in_limits(length_of(joints, i - 1, i), a, b, &RefinementOptions::collapse);
+                if (root(a) != root(b))
+                    way += in_limits(length_of(joints, i - 1, i), a, b, &RefinementOptions::collapse);
                 if (way < 1)
                     join(a, b);
                 else
@@ -98,7 +103,8 @@ public:
             }
         }
         for (const auto& [a, b] : skeleton_.bones)
-            if (!gone_[a] && !gone_[b] && root(a) != root(b)) refined.bones.emplace_back(place[root(a)], place[root(b)]);
+            if (!gone_[a] && !gone_[b] && root(a) != root(b))
+                refined.bones.emplace_back(place[root(a)], place[root(b)]);
         return refined;
     }
 
@@ -110,7 +116,8 @@ private:
         return j;
     }
     double limit(int a, int b, double RefinementOptions::*operation) const {
-        return std::max(limits_[skeleton_.joints[a].part].*operation, limits_[skeleton_.joints[b].part].*operation);
+        return std::max(limits_[skeleton_.joints[a].part].*operation,
+                        limits_[skeleton_.joints[b].part].*operation);
     }
     double in_limits(double way, int a, int b, double RefinementOptions::*operation) const {
         const double least = limit(a, b, operation);
@@ -118,7 +125,8 @@ private:
     }
     double length_of(const std::vector<int>& chain, std::size_t first, std::size_t last) const {
         double sum = 0;
-        for (std::size_t i = first; i < last; ++i) sum += distance(skeleton_.joints[chain[i]].place, skeleton_.joints[chain[i + 1]].place);
+        for (std::size_t i = first; i < last; ++i)
+            sum += distance(skeleton_.joints[chain[i]].place, skeleton_.joints[chain[i + 1]].place);
         return sum;
     }
     void join(int a, int b) { group_[std::max(root(a), root(b))] = std::min(root(a), root(b)); }
@@ -153,12 +161,15 @@ JointTree refine(const JointTree& tree, const std::vector<RefinementOptions>& li
 SubSkeleton refine(const SubSkeleton& skeleton, const RefinementOptions& options) {
     const double diagonal = diagonal_of(skeleton.outline.corners);
     JointTree tree;
-    for (const SubSkeleton::Joint& joint : skeleton.joints) tree.joints.push_back({{joint.place.x, joint.place.y, 0}, joint.radius, 0});
+    for (const SubSkeleton::Joint& joint : skeleton.joints)
+        tree.joints.push_back({{joint.place.x, joint.place.y, 0}, joint.radius, 0});
     tree.bones = skeleton.bones;
-    const JointTree refined = refine(tree, {{options.prune * diagonal, options.merge * diagonal, options.collapse * diagonal}});
+    const JointTree refined =
+        refine(tree, {{options.prune * diagonal, options.merge * diagonal, options.collapse * diagonal}});
     SubSkeleton result;
     result.outline = skeleton.outline;
-    for (const JointTree::Joint& joint : refined.joints) result.joints.push_back({{joint.place.x, joint.place.y}, joint.radius});
+    for (const JointTree::Joint& joint : refined.joints)
+        result.joints.push_back({{joint.place.x, joint.place.y}, joint.radius});
     result.bones = refined.bones;
     std::vector<std::vector<int>> neighbours(result.joints.size());
     for (const auto& [a, b] : result.bones) {

@@ -25,15 +25,17 @@ struct Piece {
 // Pieces of a label, from left to right.
 std::vector<Piece> pieces_of(const LabelMap& labels, Label label, long least_area) {
     Mask mask(labels.width(), labels.height());
-    std::transform(labels.begin(), labels.end(), mask.begin(), [&](auto value) { return value == static_cast<int>(label); });
+    std::transform(labels.begin(), labels.end(), mask.begin(),
+                   [&](auto value) { return value == static_cast<int>(label); });
     const Components components = connected_components(mask);
     std::vector<Piece> pieces;
     for (std::size_t c = 0; c < components.list.size(); ++c) {
         if (components.list[c].area < least_area) continue;
-        pieces.push_back({label, component_mask(components, static_cast<int>(c) + 1), static_cast<double>(components.list[c].box.x),
-                          components.list[c].area});
+        pieces.push_back({label, component_mask(components, static_cast<int>(c) + 1),
+                          static_cast<double>(components.list[c].box.x), components.list[c].area});
     }
-    std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.left < b.left; });
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [](const Piece& a, const Piece& b) { return a.left < b.left; });
     return pieces;
 }
 
@@ -43,13 +45,16 @@ Mask extended(const Mask& piece, const Mask& before, const Grid<int>& silhouette
     for (int y = 0; y < piece.height(); ++y)
         for (int x = 0; x < piece.width(); ++x) {
             if (!piece(x, y)) continue;
-            const bool seam = before.value_or(x - 1, y, 0) || before.value_or(x + 1, y, 0) || before.value_or(x, y - 1, 0) || before.value_or(x, y + 1, 0);
+            const bool seam = before.value_or(x - 1, y, 0) || before.value_or(x + 1, y, 0) ||
+                              before.value_or(x, y - 1, 0) || before.value_or(x, y + 1, 0);
             if (!seam) continue;
-            const double reach = std::max(least_reach, std::sqrt(static_cast<double>(silhouette_distance(x, y))));
+            const double reach =
+                std::max(least_reach, std::sqrt(static_cast<double>(silhouette_distance(x, y))));
             const int r = static_cast<int>(reach);
             for (int dy = -r; dy <= r; ++dy)
                 for (int dx = -r; dx <= r; ++dx)
-                    if (dx * dx + dy * dy <= reach * reach && before.value_or(x + dx, y + dy, 0)) result(x + dx, y + dy) = 1;
+                    if (dx * dx + dy * dy <= reach * reach && before.value_or(x + dx, y + dy, 0))
+                        result(x + dx, y + dy) = 1;
         }
     return result;
 }
@@ -73,7 +78,9 @@ std::vector<Point2d> stroke_of(const Mask& mask) {
 
 Strokes strokes_from_labels(const LabelMap& labels) {
     const Mask silhouette = fill_holes(largest_component(foreground(labels)));
-    const long least_area = std::max(16L, static_cast<long>(least_share * static_cast<double>(std::count(silhouette.begin(), silhouette.end(), 1))));
+    const long least_area =
+        std::max(16L, static_cast<long>(least_share * static_cast<double>(std::count(silhouette.begin(),
+                                                                                     silhouette.end(), 1))));
     const Grid<int> distances = squared_distance_transform(silhouette);
     Strokes strokes;
     Mask before(labels.width(), labels.height());

@@ -5,7 +5,8 @@
 
 namespace pantin {
 
-// Parents come before their children. The root of a tree is the widest joint of its first part, the first one on a tie.
+// Parents come before their children. The root of a tree is the widest joint of its first part, the first one
+// on a tie.
 ModelSkeleton rooted(const JointTree& tree);
 
 } // namespace pantin

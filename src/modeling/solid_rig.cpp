@@ -25,7 +25,8 @@ OnSkeleton seen_at(const ModelSkeleton& skeleton, const ModelView& view, Point2d
         const double d = distance(pixel, a + t * v);
         if (d >= nearest) continue;
         nearest = d;
-        best = {parent.place + t * (joint.place - parent.place), parent.radius + t * (joint.radius - parent.radius)};
+        best = {parent.place + t * (joint.place - parent.place),
+                parent.radius + t * (joint.radius - parent.radius)};
     }
     return best;
 }
@@ -38,8 +39,8 @@ struct Straight {
 };
 
 // Mesh, texture coordinates and weights of a rig whose bones are there.
-void add_surface(Rig& rig, const SolidMesh& mesh, const ModelView& view, const std::vector<BoneSegment>& segments,
-                 const std::vector<Rgb8>& colours) {
+void add_surface(Rig& rig, const SolidMesh& mesh, const ModelView& view,
+                 const std::vector<BoneSegment>& segments, const std::vector<Rgb8>& colours) {
     const Straight straight{view};
     rig.width = view.width;
     rig.height = view.height;
@@ -51,7 +52,8 @@ void add_surface(Rig& rig, const SolidMesh& mesh, const ModelView& view, const s
         rig.mesh.vertices.push_back(straight.pixel(v));
         rig.depth.push_back(straight.depth(v));
         const Point2d seen = project(view, v);
-        rig.texture.push_back({std::clamp((seen.x + 0.5) / view.width, 0.0, 1.0), std::clamp((seen.y + 0.5) / view.height, 0.0, 1.0)});
+        rig.texture.push_back({std::clamp((seen.x + 0.5) / view.width, 0.0, 1.0),
+                               std::clamp((seen.y + 0.5) / view.height, 0.0, 1.0)});
     }
     rig.colours = colours;
     for (const auto& [a, b, c] : mesh.triangles) rig.mesh.faces.push_back({a, c, b});
@@ -72,7 +74,8 @@ std::vector<Rgb8> part_colours(const Model& model, const SolidMesh& mesh) {
     return colours;
 }
 
-Rig model_rig(const Model& model, const SolidMesh& mesh, const ModelView& view, const std::vector<Rgb8>& colours) {
+Rig model_rig(const Model& model, const SolidMesh& mesh, const ModelView& view,
+              const std::vector<Rgb8>& colours) {
     const ModelSkeleton& skeleton = model.skeleton();
     Rig rig;
     std::vector<BoneSegment> segments;
@@ -101,11 +104,13 @@ Rig model_rig(const Model& model, const SolidMesh& mesh, const ModelView& view, 
     return rig;
 }
 
-Rig lifted(const Rig& flat, const Model& model, const SolidMesh& mesh, const ModelView& view, const std::vector<Rgb8>& colours) {
+Rig lifted(const Rig& flat, const Model& model, const SolidMesh& mesh, const ModelView& view,
+           const std::vector<Rgb8>& colours) {
     Rig rig = flat;
     std::vector<BoneSegment> segments;
     for (Bone& bone : rig.bones) {
-        const OnSkeleton head = seen_at(model.skeleton(), view, bone.head), tail = seen_at(model.skeleton(), view, bone.tail);
+        const OnSkeleton head = seen_at(model.skeleton(), view, bone.head),
+                         tail = seen_at(model.skeleton(), view, bone.tail);
         place(bone, head.place, tail.place, view);
         segments.push_back({head.place, tail.place, 0.5 * (head.radius + tail.radius)});
     }

@@ -1,5 +1,5 @@
-// strokes.json (docs/formats.md). Parts and calls are read in order, as they will be played: a call knows the parts that stand
-// then.
+// strokes.json (docs/formats.md). Parts and calls are read in order, as they will be played: a call knows the
+// parts that stand then.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -34,7 +34,8 @@ std::string in_quotes(const std::string& text) {
 void check_keys(const JsonReader& reader, std::initializer_list<std::string_view> known) {
     if (!reader.value().is_object()) reader.fail("must be an object");
     for (const auto& [key, value] : reader.value().items())
-        if (std::find(known.begin(), known.end(), key) == known.end()) reader.fail("unknown key " + in_quotes(key));
+        if (std::find(known.begin(), known.end(), key) == known.end())
+            reader.fail("unknown key " + in_quotes(key));
 }
 
 // --- values ------------------------------------------------------------------------------------------------
@@ -56,8 +57,8 @@ Viewpoint read_view(const JsonReader& reader) {
     return static_cast<Viewpoint>(found - view_names.begin());
 }
 
-// What `true` asks for: a part off the model's middle gets its copy on the other side of it, along the direction in which it is
-// seen; one in the middle gets it beside itself on the canvas.
+// What `true` asks for: a part off the model's middle gets its copy on the other side of it, along the
+// direction in which it is seen; one in the middle gets it beside itself on the canvas.
 Symmetry usual_symmetry(const PartStroke& part) {
     const bool off = part.depth != 0;
     switch (part.view) {
@@ -74,7 +75,8 @@ Symmetry usual_symmetry(const PartStroke& part) {
 Symmetry read_symmetry(const JsonReader& reader, const PartStroke& part) {
     if (reader.value().is_boolean()) return reader.boolean() ? usual_symmetry(part) : Symmetry::none;
     const auto first = symmetry_names.begin() + 1; // "none" is written as false
-    const auto found = reader.value().is_string() ? std::find(first, symmetry_names.end(), reader.text()) : symmetry_names.end();
+    const auto found = reader.value().is_string() ? std::find(first, symmetry_names.end(), reader.text())
+                                                  : symmetry_names.end();
     if (found == symmetry_names.end()) reader.fail("must be true, false, x, y or z");
     return static_cast<Symmetry>(found - symmetry_names.begin());
 }
@@ -99,11 +101,14 @@ Rgb8 read_colour(const JsonReader& reader) {
 // --- parts -------------------------------------------------------------------------------------------------
 
 bool has_three_points(const std::vector<Point2d>& points) {
-    const auto second = std::find_if(points.begin(), points.end(), [&](Point2d p) { return p != points.front(); });
+    const auto second =
+        std::find_if(points.begin(), points.end(), [&](Point2d p) { return p != points.front(); });
     return std::any_of(second, points.end(), [&](Point2d p) { return p != points.front() && p != *second; });
 }
 
-void drop_repeated(std::vector<Point2d>& stroke) { stroke.erase(std::unique(stroke.begin(), stroke.end()), stroke.end()); }
+void drop_repeated(std::vector<Point2d>& stroke) {
+    stroke.erase(std::unique(stroke.begin(), stroke.end()), stroke.end());
+}
 
 // `place` names the part.
 void tidy_stroke(std::vector<Point2d>& stroke, const JsonReader& reader, const std::string& place,
@@ -111,14 +116,16 @@ void tidy_stroke(std::vector<Point2d>& stroke, const JsonReader& reader, const s
     const std::size_t given = stroke.size();
     drop_repeated(stroke);
     if (const std::size_t gone = given - stroke.size())
-        repairs.push_back(place + ": " + std::to_string(gone) + " repeated point" + (gone == 1 ? "" : "s") + " dropped");
+        repairs.push_back(place + ": " + std::to_string(gone) + " repeated point" + (gone == 1 ? "" : "s") +
+                          " dropped");
     // A stroke that ends where it began says once more what holds of every stroke.
     if (stroke.size() > 1 && stroke.front() == stroke.back()) stroke.pop_back();
     if (const std::size_t many = stroke.size(); many > most_points) {
         for (std::size_t i = 0; i < thinned_points; ++i) stroke[i] = stroke[i * many / thinned_points];
         stroke.resize(thinned_points);
         drop_repeated(stroke);
-        repairs.push_back(place + ": " + std::to_string(many) + " points thinned to " + std::to_string(stroke.size()));
+        repairs.push_back(place + ": " + std::to_string(many) + " points thinned to " +
+                          std::to_string(stroke.size()));
     }
     if (!has_three_points(stroke)) reader.fail("a stroke needs at least three points");
 }
@@ -161,10 +168,12 @@ private:
         PartStroke part;
         part.name = item.at("name").text();
         if (part.name.empty()) item.at("name").fail("must not be empty");
-        // From here on the part is known by its name, which says more than its number and is all that there is in an SVG.
+        // From here on the part is known by its name, which says more than its number and is all that there
+        // is in an SVG.
         const std::string place = "part " + in_quotes(part.name);
         const JsonReader reader(item.value(), item.file(), place);
-        check_keys(reader, {"name", "stroke", "depth", "view", "symmetric", "parent", "height", "label", "colour"});
+        check_keys(reader,
+                   {"name", "stroke", "depth", "view", "symmetric", "parent", "height", "label", "colour"});
         if (parts_.contains(part.name)) reader.fail("there are two parts of this name");
         for (const JsonReader& pair : reader.at("stroke").elements()) part.stroke.push_back(read_point(pair));
         tidy_stroke(part.stroke, reader, place, strokes_.repairs);
@@ -189,7 +198,8 @@ private:
         if (reader.has("height")) part.height = read_positive(reader, "height", huge);
         if (reader.has("label")) {
             part.label = label_from_name(reader.at("label").text());
-            if (part.label == Label::background) reader.at("label").fail("must be head, body, limb, tail or wing");
+            if (part.label == Label::background)
+                reader.at("label").fail("must be head, body, limb, tail or wing");
         }
         if (reader.has("colour")) part.colour = read_colour(reader.at("colour"));
     }
@@ -203,7 +213,8 @@ private:
     }
 
     void read_call(const JsonReader& item) {
-        if (!item.value().is_object() || item.value().size() != 1) item.fail("must be an object with one key, the call");
+        if (!item.value().is_object() || item.value().size() != 1)
+            item.fail("must be an object with one key, the call");
         const auto [name, reader] = item.entries().front();
         if (name == "add_part")
             read_part(reader);
@@ -229,7 +240,8 @@ private:
         move.part = known_part(reader.at("part"));
         if (reader.has("translate")) {
             const std::vector<JsonReader> xyz = reader.at("translate").elements(3, 3);
-            move.translate = {xyz[0].number(-huge, huge), xyz[1].number(-huge, huge), xyz[2].number(-huge, huge)};
+            move.translate = {xyz[0].number(-huge, huge), xyz[1].number(-huge, huge),
+                              xyz[2].number(-huge, huge)};
         }
         if (reader.has("rotate")) {
             const JsonReader rotate = reader.at("rotate");
@@ -296,7 +308,8 @@ Json json_of(const PartStroke& part) {
     item["stroke"] = Json::array();
     for (const Point2d p : part.stroke) item["stroke"].push_back(Json::array({p.x, p.y}));
     if (part.depth != 0) item["depth"] = part.depth;
-    if (part.view != Viewpoint::front) item["view"] = std::string(view_names[static_cast<std::size_t>(part.view)]);
+    if (part.view != Viewpoint::front)
+        item["view"] = std::string(view_names[static_cast<std::size_t>(part.view)]);
     if (part.symmetry != Symmetry::none) item["symmetric"] = json_of(part.symmetry);
     if (!part.parent.empty()) item["parent"] = part.parent;
     if (part.height != 1) item["height"] = part.height;

@@ -1,5 +1,6 @@
-// Strokes drawn in a vector program (docs/formats.md, "SVG strokes"). A drawing is read as the strokes.json that it stands for,
-// so that one set of rules holds for both. Scalable Vector Graphics (SVG) 2, W3C 2018: chapters 5, 9 and 10.
+// Strokes drawn in a vector program (docs/formats.md, "SVG strokes"). A drawing is read as the strokes.json
+// that it stands for, so that one set of rules holds for both. Scalable Vector Graphics (SVG) 2, W3C 2018:
+// chapters 5, 9 and 10.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,11 +24,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int deepest = 200;           // groups in groups
-constexpr double same_place = 1e-9;    // share of the diagonal: a path that ends so near its beginning is closed
+constexpr int deepest = 200;        // groups in groups
+constexpr double same_place = 1e-9; // share of the diagonal: a path that ends so near its beginning is closed
 constexpr std::size_t most_shown = 40; // characters of a value in a message
 
-[[noreturn]] void fail(const std::string& where, const std::string& fact) { throw Error(ErrorKind::input, where + ": " + fact); }
+[[noreturn]] void fail(const std::string& where, const std::string& fact) {
+    throw Error(ErrorKind::input, where + ": " + fact);
+}
 
 bool among(std::string_view word, std::initializer_list<std::string_view> words) {
     return std::find(words.begin(), words.end(), word) != words.end();
@@ -55,7 +58,9 @@ std::string small(std::string text) {
     return text;
 }
 
-std::string attribute(pugi::xml_node node, const char* name) { return one_line(node.attribute(name).value()); }
+std::string attribute(pugi::xml_node node, const char* name) {
+    return one_line(node.attribute(name).value());
+}
 
 // Without the prefix that some programs write before SVG's own elements.
 std::string_view kind_of(pugi::xml_node node) {
@@ -91,21 +96,26 @@ struct NamedColour {
 };
 // The sixteen of HTML 4, then the more usual ones of CSS.
 constexpr auto named_colours = std::to_array<NamedColour>({
-    {"black", "#000000"},      {"silver", "#c0c0c0"},      {"gray", "#808080"},      {"white", "#ffffff"},
-    {"maroon", "#800000"},     {"red", "#ff0000"},         {"purple", "#800080"},    {"fuchsia", "#ff00ff"},
-    {"green", "#008000"},      {"lime", "#00ff00"},        {"olive", "#808000"},     {"yellow", "#ffff00"},
-    {"navy", "#000080"},       {"blue", "#0000ff"},        {"teal", "#008080"},      {"aqua", "#00ffff"},
-    {"grey", "#808080"},       {"cyan", "#00ffff"},        {"magenta", "#ff00ff"},   {"orange", "#ffa500"},
-    {"pink", "#ffc0cb"},       {"hotpink", "#ff69b4"},     {"brown", "#a52a2a"},     {"gold", "#ffd700"},
-    {"beige", "#f5f5dc"},      {"tan", "#d2b48c"},         {"khaki", "#f0e68c"},     {"ivory", "#fffff0"},
-    {"coral", "#ff7f50"},      {"salmon", "#fa8072"},      {"tomato", "#ff6347"},    {"crimson", "#dc143c"},
-    {"violet", "#ee82ee"},     {"indigo", "#4b0082"},      {"orchid", "#da70d6"},    {"plum", "#dda0dd"},
-    {"turquoise", "#40e0d0"},  {"skyblue", "#87ceeb"},     {"steelblue", "#4682b4"}, {"royalblue", "#4169e1"},
-    {"chocolate", "#d2691e"},  {"sienna", "#a0522d"},      {"peru", "#cd853f"},      {"saddlebrown", "#8b4513"},
-    {"wheat", "#f5deb3"},      {"lightgray", "#d3d3d3"},   {"lightgrey", "#d3d3d3"}, {"darkgray", "#a9a9a9"},
-    {"darkgrey", "#a9a9a9"},   {"dimgray", "#696969"},     {"dimgrey", "#696969"},   {"lightblue", "#add8e6"},
-    {"lightgreen", "#90ee90"}, {"darkblue", "#00008b"},    {"darkgreen", "#006400"}, {"darkred", "#8b0000"},
-    {"darkorange", "#ff8c00"}, {"forestgreen", "#228b22"}, {"seagreen", "#2e8b57"},  {"slategray", "#708090"},
+    {"black", "#000000"},       {"silver", "#c0c0c0"},      {"gray", "#808080"},
+    {"white", "#ffffff"},       {"maroon", "#800000"},      {"red", "#ff0000"},
+    {"purple", "#800080"},      {"fuchsia", "#ff00ff"},     {"green", "#008000"},
+    {"lime", "#00ff00"},        {"olive", "#808000"},       {"yellow", "#ffff00"},
+    {"navy", "#000080"},        {"blue", "#0000ff"},        {"teal", "#008080"},
+    {"aqua", "#00ffff"},        {"grey", "#808080"},        {"cyan", "#00ffff"},
+    {"magenta", "#ff00ff"},     {"orange", "#ffa500"},      {"pink", "#ffc0cb"},
+    {"hotpink", "#ff69b4"},     {"brown", "#a52a2a"},       {"gold", "#ffd700"},
+    {"beige", "#f5f5dc"},       {"tan", "#d2b48c"},         {"khaki", "#f0e68c"},
+    {"ivory", "#fffff0"},       {"coral", "#ff7f50"},       {"salmon", "#fa8072"},
+    {"tomato", "#ff6347"},      {"crimson", "#dc143c"},     {"violet", "#ee82ee"},
+    {"indigo", "#4b0082"},      {"orchid", "#da70d6"},      {"plum", "#dda0dd"},
+    {"turquoise", "#40e0d0"},   {"skyblue", "#87ceeb"},     {"steelblue", "#4682b4"},
+    {"royalblue", "#4169e1"},   {"chocolate", "#d2691e"},   {"sienna", "#a0522d"},
+    {"peru", "#cd853f"},        {"saddlebrown", "#8b4513"}, {"wheat", "#f5deb3"},
+    {"lightgray", "#d3d3d3"},   {"lightgrey", "#d3d3d3"},   {"darkgray", "#a9a9a9"},
+    {"darkgrey", "#a9a9a9"},    {"dimgray", "#696969"},     {"dimgrey", "#696969"},
+    {"lightblue", "#add8e6"},   {"lightgreen", "#90ee90"},  {"darkblue", "#00008b"},
+    {"darkgreen", "#006400"},   {"darkred", "#8b0000"},     {"darkorange", "#ff8c00"},
+    {"forestgreen", "#228b22"}, {"seagreen", "#2e8b57"},    {"slategray", "#708090"},
 });
 
 std::string hex_of(const std::array<int, 3>& bytes) {
@@ -149,8 +159,8 @@ std::string colour_of_rgb(const std::string& text) {
 std::string colour_of(const std::string& paint) {
     if (paint.starts_with('#')) return colour_of_hex(paint);
     if (paint.starts_with("rgb")) return colour_of_rgb(paint);
-    const auto found =
-        std::find_if(named_colours.begin(), named_colours.end(), [&](const NamedColour& c) { return c.name == paint; });
+    const auto found = std::find_if(named_colours.begin(), named_colours.end(),
+                                    [&](const NamedColour& c) { return c.name == paint; });
     return found == named_colours.end() ? "" : std::string(found->hex);
 }
 
@@ -191,7 +201,8 @@ std::string path_of_rect(pugi::xml_node node, const std::string& where) {
     ry = std::min(ry, height / 2);
     PathText path;
     const double right = x + width, bottom = y + height;
-    if (rx == 0 || ry == 0) return path.add("M", {x, y}).add("H", {right}).add("V", {bottom}).add("H", {x}).add("Z", {}).text;
+    if (rx == 0 || ry == 0)
+        return path.add("M", {x, y}).add("H", {right}).add("V", {bottom}).add("H", {x}).add("Z", {}).text;
     path.add("M", {x + rx, y}).add("H", {right - rx}).add("A", {rx, ry, 0, 0, 1, right, y + ry});
     path.add("V", {bottom - ry}).add("A", {rx, ry, 0, 0, 1, right - rx, bottom});
     path.add("H", {x + rx}).add("A", {rx, ry, 0, 0, 1, x, bottom - ry});
@@ -209,15 +220,20 @@ std::string path_of_ellipse(pugi::xml_node node, const std::string& where) {
     if (rx == 0 || ry == 0) return {};
     PathText path;
     path.add("M", {x + rx, y}).add("A", {rx, ry, 0, 0, 1, x, y + ry}).add("A", {rx, ry, 0, 0, 1, x - rx, y});
-    return path.add("A", {rx, ry, 0, 0, 1, x, y - ry}).add("A", {rx, ry, 0, 0, 1, x + rx, y}).add("Z", {}).text;
+    return path.add("A", {rx, ry, 0, 0, 1, x, y - ry})
+        .add("A", {rx, ry, 0, 0, 1, x + rx, y})
+        .add("Z", {})
+        .text;
 }
 
-std::vector<Subpath> subpaths_of_points(pugi::xml_node node, const Affine& transform, const std::string& where) {
+std::vector<Subpath> subpaths_of_points(pugi::xml_node node, const Affine& transform,
+                                        const std::string& where) {
     const std::vector<double> numbers = svg_numbers(node.attribute("points").value(), where + ": points");
     if (numbers.size() % 2) fail(where, "points: the last one has no y");
     if (numbers.empty()) return {};
     Subpath subpath{{}, kind_of(node) == "polygon"};
-    for (std::size_t i = 0; i < numbers.size(); i += 2) subpath.points.push_back(transform * Point2d{numbers[i], numbers[i + 1]});
+    for (std::size_t i = 0; i < numbers.size(); i += 2)
+        subpath.points.push_back(transform * Point2d{numbers[i], numbers[i + 1]});
     return {subpath};
 }
 
@@ -225,7 +241,8 @@ std::vector<Subpath> subpaths_of(pugi::xml_node node, const Affine& transform, c
     const std::string_view kind = kind_of(node);
     if (kind == "path") return svg_path(node.attribute("d").value(), transform, where + ": d");
     if (kind == "polygon" || kind == "polyline") return subpaths_of_points(node, transform, where);
-    return svg_path(kind == "rect" ? path_of_rect(node, where) : path_of_ellipse(node, where), transform, where);
+    return svg_path(kind == "rect" ? path_of_rect(node, where) : path_of_ellipse(node, where), transform,
+                    where);
 }
 
 // --- the drawing -------------------------------------------------------------------------------------------
@@ -259,7 +276,8 @@ private:
     std::vector<std::string> repairs_;
 
     Json read_origin(pugi::xml_node root) const {
-        const std::vector<double> xy = svg_numbers(root.attribute("data-origin").value(), file_ + ": data-origin");
+        const std::vector<double> xy =
+            svg_numbers(root.attribute("data-origin").value(), file_ + ": data-origin");
         if (xy.size() != 2) fail(file_, "data-origin must be two numbers");
         return xy;
     }
@@ -272,7 +290,8 @@ private:
         else if (among(kind, {"path", "polygon", "polyline", "rect", "circle", "ellipse"}))
             read_part(node, outer);
         else if (among(kind, {"line", "text", "image", "use", "foreignObject"}))
-            repairs_.push_back(described(node, attribute(node, "id")) + ": not a shape with an inside, left out");
+            repairs_.push_back(described(node, attribute(node, "id")) +
+                               ": not a shape with an inside, left out");
         else if (kind == "style" && !one_line(node.text().get()).empty())
             repairs_.push_back("style sheets are not followed");
     }
@@ -285,7 +304,8 @@ private:
             const Affine shift = {1, 0, 0, 1, length_of(node, "x", where), length_of(node, "y", where)};
             inner.transform = moderate(inner.transform * shift, where);
             if (node.attribute("viewBox"))
-                repairs_.push_back(described(node, attribute(node, "id")) + ": an inner viewBox is not followed");
+                repairs_.push_back(described(node, attribute(node, "id")) +
+                                   ": an inner viewBox is not followed");
         }
         for (const pugi::xml_node child : node.children()) visit(child, inner);
     }
@@ -293,9 +313,11 @@ private:
     Surroundings surroundings(pugi::xml_node node, const Surroundings& outer, const std::string& where) {
         Surroundings inner = outer;
         if (const pugi::xml_attribute transform = node.attribute("transform"))
-            inner.transform = moderate(outer.transform * svg_transform(transform.value(), where + ": transform"), where);
+            inner.transform =
+                moderate(outer.transform * svg_transform(transform.value(), where + ": transform"), where);
         if (!style_property(node, "transform").empty())
-            repairs_.push_back(described(node, attribute(node, "id")) + ": a transform in style is not followed");
+            repairs_.push_back(described(node, attribute(node, "id")) +
+                               ": a transform in style is not followed");
         const auto inherit = [&](const char* name, std::string& value) {
             const std::string own = small(property(node, name));
             if (!own.empty() && own != "inherit") value = own;
@@ -318,7 +340,8 @@ private:
 
     void read_part(pugi::xml_node node, const Surroundings& outer) {
         const std::string asked = asked_name(node), id = attribute(node, "id");
-        const std::string element = described(node, asked) + (id.empty() || id == asked ? "" : " (id '" + id + "')");
+        const std::string element =
+            described(node, asked) + (id.empty() || id == asked ? "" : " (id '" + id + "')");
         const std::string where = file_ + ": " + element;
         const Surroundings own = surroundings(node, outer, where);
         std::vector<Subpath> subpaths = subpaths_of(node, own.transform, where);
@@ -330,7 +353,8 @@ private:
         part["name"] = own_name(asked);
         const std::string place = "part '" + part["name"].get<std::string>() + "'";
         part["stroke"] = Json::array();
-        for (const Point2d p : stroke_of(std::move(subpaths), place)) part["stroke"].push_back(Json::array({p.x, p.y}));
+        for (const Point2d p : stroke_of(std::move(subpaths), place))
+            part["stroke"].push_back(Json::array({p.x, p.y}));
         read_attributes(node, where, part);
         const std::string colour = colour_of_part(own, place);
         if (!colour.empty()) part["colour"] = colour;
@@ -361,8 +385,9 @@ private:
         const auto is_dot = [](const Subpath& s) { return s.points.size() == 1; };
         if (!std::all_of(subpaths.begin(), subpaths.end(), is_dot)) std::erase_if(subpaths, is_dot);
         const auto area = [](const Subpath& s) { return std::abs(area_of(s.points)); };
-        const auto largest = std::max_element(subpaths.begin(), subpaths.end(),
-                                              [&](const Subpath& a, const Subpath& b) { return area(a) < area(b); });
+        const auto largest =
+            std::max_element(subpaths.begin(), subpaths.end(),
+                             [&](const Subpath& a, const Subpath& b) { return area(a) < area(b); });
         if (const std::size_t dropped = subpaths.size() - 1)
             repairs_.push_back(place + ": the largest subpath was kept, " + std::to_string(dropped) +
                                (dropped == 1 ? " other" : " others") + " dropped");
@@ -379,7 +404,8 @@ private:
     static void read_attributes(pugi::xml_node node, const std::string& where, Json& part) {
         const auto number = [&](const char* name, const char* key) {
             if (!node.attribute(name)) return;
-            const std::vector<double> numbers = svg_numbers(node.attribute(name).value(), where + ": " + name);
+            const std::vector<double> numbers =
+                svg_numbers(node.attribute(name).value(), where + ": " + name);
             if (numbers.size() != 1) fail(where, std::string(name) + " must be a number");
             part[key] = numbers[0];
         };
@@ -401,7 +427,8 @@ private:
         for (const std::string& paint : {own.fill, own.stroke}) {
             if (paint.empty() || paint == "none" || paint == "transparent") continue;
             if (const std::string colour = colour_of(paint); !colour.empty()) return colour;
-            repairs_.push_back(place + ": '" + paint.substr(0, most_shown) + "' is no plain colour, left out");
+            repairs_.push_back(place + ": '" + paint.substr(0, most_shown) +
+                               "' is no plain colour, left out");
         }
         return {};
     }
@@ -413,12 +440,14 @@ Strokes strokes_from_svg(const std::string& text, const std::string& file) {
     pugi::xml_document document;
     const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size());
     if (!result) {
-        const std::size_t at = std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)), text.size());
+        const std::size_t at =
+            std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)), text.size());
         const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
         fail(file, "not valid XML (line " + std::to_string(line) + "): " + small(result.description()));
     }
     const pugi::xml_node root = document.document_element();
-    if (kind_of(root) != "svg") fail(file, "not an SVG file, its root is <" + one_line(root.name()).substr(0, most_shown) + ">");
+    if (kind_of(root) != "svg")
+        fail(file, "not an SVG file, its root is <" + one_line(root.name()).substr(0, most_shown) + ">");
     return SvgReader(file).read(root);
 }
 

@@ -13,8 +13,8 @@ namespace pantin {
 namespace {
 
 constexpr int slices_a_diagonal = 100; // samples along a branch as long as the stroke's diagonal
-constexpr double widest_slice = 2;     // of the distance to the border: beyond, a slice runs into another branch
-constexpr int spline_steps = 8;        // points of the spline between two nodes, before it is sliced evenly
+constexpr double widest_slice = 2; // of the distance to the border: beyond, a slice runs into another branch
+constexpr int spline_steps = 8;    // points of the spline between two nodes, before it is sliced evenly
 
 // A tree of joints, some of which may be gone.
 struct Tree {
@@ -81,8 +81,8 @@ bool can_take_over(const Tree& tree, const std::vector<Point2d>& outline, int ke
     });
 }
 
-// Collapses the edges shorter than the share of the mean edge, shortest first. Of two joints the wider one stays where it is. False
-// when there was none.
+// Collapses the edges shorter than the share of the mean edge, shortest first. Of two joints the wider one
+// stays where it is. False when there was none.
 bool collapse_short_edges(Tree& tree, const std::vector<Point2d>& outline, double share) {
     struct Edge {
         double length;
@@ -98,7 +98,8 @@ bool collapse_short_edges(Tree& tree, const std::vector<Point2d>& outline, doubl
             }
     const double limit = edges.empty() ? 0 : share * sum / static_cast<double>(edges.size());
     std::erase_if(edges, [limit](const Edge& e) { return e.length >= limit && e.length > 0; });
-    std::stable_sort(edges.begin(), edges.end(), [](const Edge& e, const Edge& f) { return e.length < f.length; });
+    std::stable_sort(edges.begin(), edges.end(),
+                     [](const Edge& e, const Edge& f) { return e.length < f.length; });
     std::vector<char> touched(tree.joints.size());
     bool any = false;
     for (const Edge& e : edges) {
@@ -114,7 +115,9 @@ bool collapse_short_edges(Tree& tree, const std::vector<Point2d>& outline, doubl
 
 // Catmull–Rom through the points, ends included.
 std::vector<Point2d> spline(const std::vector<Point2d>& points) {
-    const auto at = [&](std::ptrdiff_t i) { return points[std::clamp<std::ptrdiff_t>(i, 0, std::ssize(points) - 1)]; };
+    const auto at = [&](std::ptrdiff_t i) {
+        return points[std::clamp<std::ptrdiff_t>(i, 0, std::ssize(points) - 1)];
+    };
     std::vector<Point2d> line;
     for (std::ptrdiff_t i = 0; i + 1 < std::ssize(points); ++i)
         for (int k = 0; k < spline_steps; ++k) {
@@ -137,10 +140,12 @@ double radius_at(const std::vector<Point2d>& outline, Point2d p) {
     return nearest;
 }
 
-Cylinder cylinder_of(const std::vector<Point2d>& outline, const std::vector<Point2d>& branch, double diagonal) {
+Cylinder cylinder_of(const std::vector<Point2d>& outline, const std::vector<Point2d>& branch,
+                     double diagonal) {
     std::vector<Point2d> line = spline(branch);
     if (leaves(outline, line)) line = branch;
-    const int count = std::max(3, 1 + static_cast<int>(std::ceil(slices_a_diagonal * polyline_length(line) / diagonal)));
+    const int count =
+        std::max(3, 1 + static_cast<int>(std::ceil(slices_a_diagonal * polyline_length(line) / diagonal)));
     Cylinder cylinder{resample(line, count), {}, {}};
     for (int i = 0; i < count; ++i) {
         const Point2d way = cylinder.axis[std::min(i + 1, count - 1)] - cylinder.axis[std::max(i - 1, 0)];
@@ -153,8 +158,9 @@ Cylinder cylinder_of(const std::vector<Point2d>& outline, const std::vector<Poin
     return cylinder;
 }
 
-// The thresholds that are tried are those of one ladder, options.threshold times powers of the factor, whatever threshold is asked
-// for: so that a larger one never keeps more joints. Nothing wanted, or too little: one at which all slices are kept.
+// The thresholds that are tried are those of one ladder, options.threshold times powers of the factor,
+// whatever threshold is asked for: so that a larger one never keeps more joints. Nothing wanted, or too
+// little: one at which all slices are kept.
 double first_threshold(double wanted, const SubSkeletonOptions& options) {
     double threshold = options.threshold;
     while (threshold > wanted && threshold > options.least_threshold) threshold *= options.threshold_factor;
@@ -169,16 +175,18 @@ double first_threshold(double wanted, const SubSkeletonOptions& options) {
 
 double threshold_of(int branch, const SubSkeletonOptions& options) {
     for (const int key : {branch, -1})
-        if (const auto own = options.branch_thresholds.find(key); own != options.branch_thresholds.end()) return own->second;
+        if (const auto own = options.branch_thresholds.find(key); own != options.branch_thresholds.end())
+            return own->second;
     return options.threshold;
 }
 
 // Algorithm 2: the threshold is lowered while a bone leaves the shape.
-std::vector<int> simplified(const Cylinder& cylinder, const std::vector<Point2d>& outline, double diagonal, double wanted,
-                            const SubSkeletonOptions& options) {
+std::vector<int> simplified(const Cylinder& cylinder, const std::vector<Point2d>& outline, double diagonal,
+                            double wanted, const SubSkeletonOptions& options) {
     std::vector<int> kept(cylinder.axis.size());
     for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = static_cast<int>(i); // inside, whatever comes
-    for (double threshold = first_threshold(wanted, options); threshold > options.least_threshold; threshold *= options.threshold_factor) {
+    for (double threshold = first_threshold(wanted, options); threshold > options.least_threshold;
+         threshold *= options.threshold_factor) {
         const std::vector<int> fewer = bounded_dp(cylinder, threshold * diagonal, options.shape_weight);
         std::vector<Point2d> line;
         for (const int i : fewer) line.push_back(cylinder.axis[i]);
@@ -195,7 +203,9 @@ SubSkeleton sub_skeleton(const std::vector<Point2d>& stroke, const SubSkeletonOp
     const std::vector<Point2d>& outline = result.outline.corners;
     const double diagonal = diagonal_of(outline);
     Tree tree = inner_tree(straight_skeleton({outline}));
-    for (int round = 0; round < options.collapse_rounds && collapse_short_edges(tree, outline, options.collapse); ++round) {}
+    for (int round = 0;
+         round < options.collapse_rounds && collapse_short_edges(tree, outline, options.collapse); ++round) {
+    }
     std::vector<int> number(tree.joints.size(), -1); // of junctions and ends, in the result
     const auto joint = [&](int j) {
         if (number[j] < 0) {
@@ -223,8 +233,9 @@ SubSkeleton sub_skeleton(const std::vector<Point2d>& stroke, const SubSkeletonOp
         result.branches.back().push_back(result.bones.back().second);
     }
     if (result.joints.empty() && !tree.joints.empty()) { // a triangle, a disc: one joint
-        const auto widest = std::max_element(tree.joints.begin(), tree.joints.end(),
-                                             [](const auto& a, const auto& b) { return a.radius < b.radius; });
+        const auto widest =
+            std::max_element(tree.joints.begin(), tree.joints.end(),
+                             [](const auto& a, const auto& b) { return a.radius < b.radius; });
         result.joints.push_back(*widest);
     }
     return result;

@@ -55,7 +55,8 @@ public:
     // Whether the list goes on; after a comma it has to.
     bool more_numbers() {
         skip_space();
-        return (!fresh_ && peek() == ',') || is_digit(peek()) || peek() == '.' || peek() == '+' || peek() == '-';
+        return (!fresh_ && peek() == ',') || is_digit(peek()) || peek() == '.' || peek() == '+' ||
+               peek() == '-';
     }
     double number() {
         skip_separator();
@@ -140,7 +141,8 @@ struct Ellipse {
     Point2d centre, u, v;
     double start = 0, sweep = 0;
 };
-// A line or a Bézier curve with its control points; with an ellipse: its arc between the first and the last point.
+// A line or a Bézier curve with its control points; with an ellipse: its arc between the first and the last
+// point.
 struct Piece {
     std::vector<Point2d> controls;
     std::optional<Ellipse> ellipse;
@@ -174,9 +176,9 @@ Point2d point_at(const Piece& piece, double t) {
     return p[0];
 }
 
-// How many chords of equal parameter stay within the tolerance. A chord over a step h of the parameter is off by at most
-// h²/8 · max |p″|; a Bézier curve of degree d has |p″| ≤ d (d − 1) · the largest second difference of its control points, an
-// ellipse |p″| ≤ √(|u|² + |v|²).
+// How many chords of equal parameter stay within the tolerance. A chord over a step h of the parameter is off
+// by at most h²/8 · max |p″|; a Bézier curve of degree d has |p″| ≤ d (d − 1) · the largest second difference
+// of its control points, an ellipse |p″| ≤ √(|u|² + |v|²).
 int chords_of(const Piece& piece, double tolerance) {
     double bend = 0;
     if (piece.ellipse) {
@@ -199,7 +201,8 @@ double diagonal_of(const std::vector<Outline>& outlines) {
         for (const Piece& piece : outline.pieces) {
             points.push_back(piece.controls.back());
             const bool straight = !piece.ellipse && piece.controls.size() == 2;
-            for (int k = 1; k < probes && !straight; ++k) points.push_back(point_at(piece, static_cast<double>(k) / probes));
+            for (int k = 1; k < probes && !straight; ++k)
+                points.push_back(point_at(piece, static_cast<double>(k) / probes));
         }
     }
     return points.empty() ? 0 : diagonal_of(points);
@@ -209,7 +212,8 @@ Subpath flatten(const Outline& outline, double tolerance) {
     Subpath subpath{{outline.start}, outline.closed};
     for (const Piece& piece : outline.pieces) {
         const int chords = chords_of(piece, tolerance);
-        for (int k = 1; k < chords; ++k) subpath.points.push_back(point_at(piece, static_cast<double>(k) / chords));
+        for (int k = 1; k < chords; ++k)
+            subpath.points.push_back(point_at(piece, static_cast<double>(k) / chords));
         subpath.points.push_back(piece.controls.back());
     }
     return subpath;
@@ -224,8 +228,9 @@ struct EndPointArc {
     bool large = false, sweep = false;
 };
 
-// SVG 2, appendix B.2.4: from end points to the centre, in the frame in which the ellipse is the unit circle, where the numbers
-// stay moderate whatever the radii; B.2.5 for radii that are too small. Nothing where the arc is a line.
+// SVG 2, appendix B.2.4: from end points to the centre, in the frame in which the ellipse is the unit circle,
+// where the numbers stay moderate whatever the radii; B.2.5 for radii that are too small. Nothing where the
+// arc is a line.
 std::optional<Ellipse> ellipse_of(const EndPointArc& arc, Point2d middle, Point2d half) {
     double rx = std::abs(arc.rx), ry = std::abs(arc.ry);
     if (rx == 0 || ry == 0) return {};
@@ -281,7 +286,8 @@ private:
         const char letter = scan_.peek();
         char command = upper(letter);
         if (letter == '\0' || std::string_view("MZLHVCSQTA").find(command) == std::string_view::npos)
-            scan_.fail(is_letter(letter) ? std::string("there is no command '") + letter + "'" : "a command is missing");
+            scan_.fail(is_letter(letter) ? std::string("there is no command '") + letter + "'"
+                                         : "a command is missing");
         if (outlines_.empty() && command != 'M') scan_.fail("a path begins with M");
         relative_ = letter != command;
         scan_.step();
@@ -380,8 +386,10 @@ Affine transform_of(Scanner& scan, const std::string& name, const std::vector<do
     if (name == "rotate" && (n == 1 || n == 3)) return rotation(v);
     if (name == "skewX" && n == 1) return skew(scan, v[0], true);
     if (name == "skewY" && n == 1) return skew(scan, v[0], false);
-    const std::array<std::string_view, 6> known = {"matrix", "translate", "scale", "rotate", "skewX", "skewY"};
-    if (std::find(known.begin(), known.end(), name) == known.end()) scan.fail("there is no transform '" + name + "'");
+    const std::array<std::string_view, 6> known = {"matrix", "translate", "scale",
+                                                   "rotate", "skewX",     "skewY"};
+    if (std::find(known.begin(), known.end(), name) == known.end())
+        scan.fail("there is no transform '" + name + "'");
     scan.fail("'" + name + "' does not take " + std::to_string(n) + (n == 1 ? " number" : " numbers"));
 }
 
@@ -439,14 +447,22 @@ std::vector<double> svg_numbers(const std::string& text, const std::string& wher
 }
 
 double svg_length(const std::string& text, const std::string& where) {
-    constexpr std::array<std::pair<std::string_view, double>, 8> units = {
-        {{"", 1}, {"px", 1}, {"in", 96}, {"cm", 96 / 2.54}, {"mm", 96 / 25.4}, {"Q", 96 / 101.6}, {"pt", 96 / 72.0}, {"pc", 16}}};
+    constexpr std::array<std::pair<std::string_view, double>, 8> units = {{{"", 1},
+                                                                           {"px", 1},
+                                                                           {"in", 96},
+                                                                           {"cm", 96 / 2.54},
+                                                                           {"mm", 96 / 25.4},
+                                                                           {"Q", 96 / 101.6},
+                                                                           {"pt", 96 / 72.0},
+                                                                           {"pc", 16}}};
     Scanner scan(text, where);
     const double number = scan.number();
     const std::string unit = scan.word();
-    const auto known = std::find_if(units.begin(), units.end(), [&](const auto& u) { return u.first == unit; });
+    const auto known =
+        std::find_if(units.begin(), units.end(), [&](const auto& u) { return u.first == unit; });
     scan.skip_space();
-    if (known == units.end() || !scan.at_end()) scan.fail("only the units px, in, cm, mm, Q, pt and pc are known");
+    if (known == units.end() || !scan.at_end())
+        scan.fail("only the units px, in, cm, mm, Q, pt and pc are known");
     return number * known->second;
 }
 

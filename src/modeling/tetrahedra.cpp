@@ -10,13 +10,15 @@ namespace {
 
 // Differences of a lattice point to its 14 neighbours, in half cells: the first six edges are long.
 constexpr int neighbour_count = 14;
-constexpr int ways[neighbour_count][3] = {{2, 0, 0},  {-2, 0, 0}, {0, 2, 0},  {0, -2, 0}, {0, 0, 2},   {0, 0, -2},  {1, 1, 1},
-                                          {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}, {-1, -1, -1}};
+constexpr int ways[neighbour_count][3] = {{2, 0, 0},   {-2, 0, 0},  {0, 2, 0},   {0, -2, 0},  {0, 0, 2},
+                                          {0, 0, -2},  {1, 1, 1},   {1, 1, -1},  {1, -1, 1},  {-1, 1, 1},
+                                          {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}, {-1, -1, -1}};
 // So far along an edge a point may move and no tetrahedron turns over (Labelle & Shewchuk 2007).
 constexpr double long_reach = 0.21, short_reach = 0.33;
-constexpr double least_share = 0.04; // crossings keep away from the ends of their edge, so that no triangle is flat
-constexpr int search_steps = 4;      // of the crossing along an edge
-constexpr int most_rounds = 12;      // of releasing points
+constexpr double least_share =
+    0.04; // crossings keep away from the ends of their edge, so that no triangle is flat
+constexpr int search_steps = 4; // of the crossing along an edge
+constexpr int most_rounds = 12; // of releasing points
 
 bool are_neighbours(const int a[3], const int b[3]) {
     const int x = std::abs(a[0] - b[0]), y = std::abs(a[1] - b[1]), z = std::abs(a[2] - b[2]);
@@ -44,11 +46,14 @@ bool connected(unsigned set) {
     return reached == set;
 }
 
-std::uint64_t key_of(std::uint32_t a, std::uint32_t b) { return static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b); }
+std::uint64_t key_of(std::uint32_t a, std::uint32_t b) {
+    return static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b);
+}
 
 } // namespace
 
-TetrahedraLattice::TetrahedraLattice(Vec3 low, Vec3 high, double cell) : origin_(low - 2 * cell * Vec3{1, 1, 1}), cell_(cell) {
+TetrahedraLattice::TetrahedraLattice(Vec3 low, Vec3 high, double cell)
+    : origin_(low - 2 * cell * Vec3{1, 1, 1}), cell_(cell) {
     const Vec3 size = high - low;
     const double sizes[3] = {size.x, size.y, size.z};
     std::size_t points = 2;
@@ -60,7 +65,8 @@ TetrahedraLattice::TetrahedraLattice(Vec3 low, Vec3 high, double cell) : origin_
     snapped_.assign(points, 0);
 }
 
-TetrahedraLattice::Range TetrahedraLattice::range(double low, double high, double origin, int count, int odd) const {
+TetrahedraLattice::Range TetrahedraLattice::range(double low, double high, double origin, int count,
+                                                  int odd) const {
     const double shift = 0.5 * odd;
     return {std::max(1, static_cast<int>(std::ceil((low - origin) / cell_ - shift))),
             std::min(count - 1 - odd, static_cast<int>(std::floor((high - origin) / cell_ - shift)))};
@@ -68,12 +74,15 @@ TetrahedraLattice::Range TetrahedraLattice::range(double low, double high, doubl
 
 TetrahedraLattice::Node TetrahedraLattice::node(Index n) const {
     const int odd = static_cast<int>(n & 1);
-    const std::size_t corner = n / 2, row = static_cast<std::size_t>(count_[0] + 1), plane = row * (count_[1] + 1);
-    return {2 * static_cast<int>(corner % row) + odd, 2 * static_cast<int>(corner % plane / row) + odd, 2 * static_cast<int>(corner / plane) + odd};
+    const std::size_t corner = n / 2, row = static_cast<std::size_t>(count_[0] + 1),
+                      plane = row * (count_[1] + 1);
+    return {2 * static_cast<int>(corner % row) + odd, 2 * static_cast<int>(corner % plane / row) + odd,
+            2 * static_cast<int>(corner / plane) + odd};
 }
 
 bool TetrahedraLattice::holds(Node n) const {
-    return n.x >= 0 && n.y >= 0 && n.z >= 0 && n.x <= 2 * count_[0] && n.y <= 2 * count_[1] && n.z <= 2 * count_[2];
+    return n.x >= 0 && n.y >= 0 && n.z >= 0 && n.x <= 2 * count_[0] && n.y <= 2 * count_[1] &&
+           n.z <= 2 * count_[2];
 }
 
 // False position, from the inner end.
@@ -107,7 +116,8 @@ void TetrahedraLattice::find_crossings(const Field& field) {
     }
 }
 
-// Whether what is inside and what is not are each in one piece around the point: then it can lie on the surface.
+// Whether what is inside and what is not are each in one piece around the point: then it can lie on the
+// surface.
 bool TetrahedraLattice::is_simple(Index n) const {
     const Node at = node(n);
     unsigned in = 0, out = 0;
@@ -129,7 +139,8 @@ void TetrahedraLattice::snap() {
             const Index m = index({at.x + ways[w][0], at.y + ways[w][1], at.z + ways[w][2]});
             if ((values_[n] < 0) == (values_[m] < 0)) continue;
             const double t = crossed_.at(key_of(n, m)), share = n < m ? t : 1 - t;
-            if (const double relative = share / (w < 6 ? long_reach : short_reach); relative < nearest) nearest = relative, other = m + 1;
+            if (const double relative = share / (w < 6 ? long_reach : short_reach); relative < nearest)
+                nearest = relative, other = m + 1;
         }
         if (other > 0) wanted.emplace_back(n, other);
     }
@@ -137,7 +148,8 @@ void TetrahedraLattice::snap() {
         if (is_simple(n)) snapped_[n] = other;
 }
 
-// Tetrahedra between a face's two centres and its four edges, positively oriented, that have a corner inside and one that is not.
+// Tetrahedra between a face's two centres and its four edges, positively oriented, that have a corner inside
+// and one that is not.
 void TetrahedraLattice::collect(std::vector<Tetrahedron>& active) const {
     constexpr int around[3][4][3] = {{{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}},
                                      {{-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}},
@@ -147,7 +159,8 @@ void TetrahedraLattice::collect(std::vector<Tetrahedron>& active) const {
             for (int x = 1; x < 2 * count_[0] - 2; x += 2)
                 for (int axis = 0; axis < 3; ++axis) {
                     const int step[3] = {axis == 0, axis == 1, axis == 2};
-                    const Index first = index({x, y, z}), second = index({x + 2 * step[0], y + 2 * step[1], z + 2 * step[2]});
+                    const Index first = index({x, y, z}),
+                                second = index({x + 2 * step[0], y + 2 * step[1], z + 2 * step[2]});
                     Index ring[4];
                     int in = inside(first) + inside(second);
                     for (int k = 0; k < 4; ++k) {
@@ -160,10 +173,13 @@ void TetrahedraLattice::collect(std::vector<Tetrahedron>& active) const {
                 }
 }
 
-std::vector<TetrahedraLattice::Piece> TetrahedraLattice::pieces(const std::vector<Tetrahedron>& active) const {
+std::vector<TetrahedraLattice::Piece>
+TetrahedraLattice::pieces(const std::vector<Tetrahedron>& active) const {
     // Even orders of the corners that bring those inside to the front, by the set of corners inside.
-    constexpr int orders[16][4] = {{0, 1, 2, 3}, {0, 1, 2, 3}, {1, 0, 3, 2}, {0, 1, 2, 3}, {2, 3, 0, 1}, {0, 2, 3, 1}, {1, 2, 0, 3}, {3, 2, 1, 0},
-                                   {3, 2, 1, 0}, {0, 3, 1, 2}, {1, 3, 2, 0}, {2, 3, 0, 1}, {2, 3, 0, 1}, {1, 0, 3, 2}, {0, 1, 2, 3}, {0, 1, 2, 3}};
+    constexpr int orders[16][4] = {{0, 1, 2, 3}, {0, 1, 2, 3}, {1, 0, 3, 2}, {0, 1, 2, 3},
+                                   {2, 3, 0, 1}, {0, 2, 3, 1}, {1, 2, 0, 3}, {3, 2, 1, 0},
+                                   {3, 2, 1, 0}, {0, 3, 1, 2}, {1, 3, 2, 0}, {2, 3, 0, 1},
+                                   {2, 3, 0, 1}, {1, 0, 3, 2}, {0, 1, 2, 3}, {0, 1, 2, 3}};
     std::vector<Piece> found;
     const auto add = [&](Corner a, Corner b, Corner c) {
         if (a != b && b != c && c != a) found.push_back({a, b, c});
@@ -233,7 +249,8 @@ int TetrahedraLattice::release_bad(const std::vector<Piece>& pieces) {
         };
         do { // one cycle through all of them, or else the surface is no disc here
             const auto next = leaving(at);
-            if (next == fan.end() || next->first != at || (next + 1 != fan.end() && (next + 1)->first == at)) break;
+            if (next == fan.end() || next->first != at || (next + 1 != fan.end() && (next + 1)->first == at))
+                break;
             at = next->second;
             ++steps;
         } while (at != fan.front().first && steps <= fan.size());

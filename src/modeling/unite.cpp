@@ -21,7 +21,8 @@ Vec3 size_of(const std::vector<InflatedPart>& parts) {
     for (const InflatedPart& part : parts)
         for (std::size_t p = 0; p < part.inflation->points.size(); ++p)
             for (const double side : {-1.0, 1.0})
-                box.include(to_model(part.frame, part.inflation->points[p], side * part.height * std::sqrt(part.inflation->squared[p])));
+                box.include(to_model(part.frame, part.inflation->points[p],
+                                     side * part.height * std::sqrt(part.inflation->squared[p])));
     return box.high - box.low;
 }
 
@@ -29,12 +30,15 @@ double cell_for(const std::vector<InflatedPart>& parts, Vec3 size, const UnionOp
     if (options.cell > 0) return options.cell;
     double thinnest = std::numeric_limits<double>::infinity();
     for (const InflatedPart& part : parts)
-        thinnest = std::min(thinnest, length(part.frame.right) * part.inflation->half_width * std::min(1.0, part.height));
+        thinnest = std::min(thinnest, length(part.frame.right) * part.inflation->half_width *
+                                          std::min(1.0, part.height));
     const double coarse = std::max({size.x, size.y, size.z}) / options.cells_across;
     return std::clamp(thinnest / cells_across_half, coarse / most_refined, coarse);
 }
 
-[[noreturn]] void fail() { throw Error(ErrorKind::input, "union: the parts are too thin or too far apart for one grid"); }
+[[noreturn]] void fail() {
+    throw Error(ErrorKind::input, "union: the parts are too thin or too far apart for one grid");
+}
 
 void check_size(Vec3 size, double cell) {
     if (!(2 * (size.x / cell + 5) * (size.y / cell + 5) * (size.z / cell + 5) <= most_points)) fail();
@@ -54,7 +58,8 @@ SolidMesh unite(const std::vector<InflatedPart>& parts, const UnionOptions& opti
     check_size(box.high - box.low, cell);
     TetrahedraLattice lattice(box.low, box.high, cell);
     for (const PartField& field : fields)
-        lattice.each(field.box().low, field.box().high, [&](Vec3 p, double& value) { value = std::min(value, field(p)); });
+        lattice.each(field.box().low, field.box().high,
+                     [&](Vec3 p, double& value) { value = std::min(value, field(p)); });
     const auto nearest = [&](Vec3 p) { // how far, and which part
         std::pair<double, int> best{std::numeric_limits<double>::infinity(), 0};
         for (std::size_t f = 0; f < fields.size(); ++f)

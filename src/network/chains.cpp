@@ -11,13 +11,13 @@ namespace {
 // levels.
 constexpr int vectors_per_task = 16;
 constexpr std::ptrdiff_t cached_floats = 256 * 1024; // half of a second-level cache
-constexpr int tasks_per_thread = 4; // so that no thread waits long for the last task
+constexpr int tasks_per_thread = 4;                  // so that no thread waits long for the last task
 
 // The padded input as phase planes: channel c, phase (py, px) at ((c·stride + py)·stride + px)·size, of which
 // row r, column q is the padded image's pixel (r·stride + py, q·stride + px).
 struct PhasePlanes {
-    int height = 0, width = 0; // of one phase plane
-    std::size_t channel = 0;   // floats from one input channel to the next
+    int height = 0, width = 0;   // of one phase plane
+    std::size_t channel = 0;     // floats from one input channel to the next
     const float* data = nullptr; // in the runtime's scratch memory, or the image itself
 };
 
@@ -48,8 +48,8 @@ void fill_phase(const float* image, int height, int width, const Pass& pass, int
 PhasePlanes split_phases(const Tensor& input, int n, const Pass& pass, const Runtime& runtime) {
     PhasePlanes planes;
     if (pass.taps.size() == 1 && pass.taps[0].dy == 0 && pass.taps[0].dx == 0 && pass.stride == 1 &&
-        pass.top == 0 && pass.left == 0 &&
-        pass.out_height == input.height() && pass.out_width == input.width())
+        pass.top == 0 && pass.left == 0 && pass.out_height == input.height() &&
+        pass.out_width == input.width())
         return {input.height(), input.width(), input.plane_size(), input.plane(n, 0)}; // nothing to do
     int reach_y = 0, reach_x = 0;
     for (const Tap& tap : pass.taps) {
@@ -117,7 +117,8 @@ void scatter(const float* values, std::ptrdiff_t base, int width, bool by_row, i
 
 // Vectors of one task: fewer where the input has so many channels that it would leave the cache.
 int chunk_size(int channels, int width) {
-    return std::clamp(static_cast<int>(cached_floats / (std::ptrdiff_t{channels} * width)), 4, vectors_per_task);
+    return std::clamp(static_cast<int>(cached_floats / (std::ptrdiff_t{channels} * width)), 4,
+                      vectors_per_task);
 }
 
 // The input as the kernel reads it for one chunk of vectors.
@@ -132,12 +133,13 @@ struct Window {
 // its prefetcher would follow from channel to channel.
 class Gathered {
 public:
-    Window window(const PhasePlanes& planes, const std::vector<std::ptrdiff_t>& taps, const std::ptrdiff_t* bases,
-                  int count, int width, int channels) {
+    Window window(const PhasePlanes& planes, const std::vector<std::ptrdiff_t>& taps,
+                  const std::ptrdiff_t* bases, int count, int width, int channels) {
         const Window direct = {planes.data, planes.channel, taps.data(), bases};
         if (taps.empty()) return direct; // a phase of a transposed convolution that no tap reaches
         const auto [nearest, farthest] = std::minmax_element(taps.begin(), taps.end());
-        const std::ptrdiff_t begin = bases[0] + *nearest, length = bases[count - 1] + *farthest + width - begin;
+        const std::ptrdiff_t begin = bases[0] + *nearest,
+                             length = bases[count - 1] + *farthest + width - begin;
         if (planes.channel < apart || length * channels > cached_floats) return direct;
         // No stretch reaches beyond the scratch memory's spare floats behind the last plane.
         values_.resize(static_cast<std::size_t>(length * channels));
@@ -200,8 +202,8 @@ void run_pass(const Tensor& input, int n, const PackedFilters& filters, const st
         float results[max_rows * vectors_per_task * max_vector_width];
         const std::ptrdiff_t begin = lanes.base[first], end = lanes.base[first + count - 1] + kernel.width;
         const bool in_place = in_order && end <= static_cast<std::ptrdiff_t>(output.plane_size());
-        const std::size_t stride = in_place ? output.plane_size()
-                                            : static_cast<std::size_t>(vectors_per_task) * kernel.width;
+        const std::size_t stride =
+            in_place ? output.plane_size() : static_cast<std::size_t>(vectors_per_task) * kernel.width;
         kernel.run({window.data + window.plane * block.group * filters.in_per_group, window.plane,
                     filters.in_per_group, window.taps, filters.taps, filters.weights.data() + block.begin,
                     bias.data() + block.first, block.rows, window.bases, count,
@@ -217,8 +219,8 @@ void run_pass(const Tensor& input, int n, const PackedFilters& filters, const st
         const int first = task / slices * per_task, slice = task % slices;
         const int count = std::min(per_task, vectors - first);
         Gathered gathered;
-        const Window window = gathered.window(planes, taps, lanes.base.data() + first, count, kernel.width,
-                                              input.channels());
+        const Window window =
+            gathered.window(planes, taps, lanes.base.data() + first, count, kernel.width, input.channels());
         for (int b = slice * blocks / slices; b < (slice + 1) * blocks / slices; ++b)
             run_block(filters.blocks[b], window, first, count);
     });

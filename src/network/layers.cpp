@@ -23,7 +23,8 @@ Tensor pool(const Tensor& input, int kernel, int stride, int padding, bool ceil_
     };
     if (input.height() + 2 * padding < kernel || input.width() + 2 * padding < kernel)
         fail("a pooling window larger than its image");
-    Tensor output = Tensor::uninitialised(input.batch(), input.channels(), extent(input.height()), extent(input.width()));
+    Tensor output =
+        Tensor::uninitialised(input.batch(), input.channels(), extent(input.height()), extent(input.width()));
     for (int n = 0; n < input.batch(); ++n)
         for (int c = 0; c < input.channels(); ++c)
             for (int y = 0; y < output.height(); ++y)
@@ -134,8 +135,9 @@ template <class Use> void enlarge_nearest(const Tensor& input, Tensor& out, Use 
     for (int n = 0; n < input.batch(); ++n)
         for (int c = 0; c < input.channels(); ++c)
             for (int y = 0; y < out.height(); ++y) {
-                const float* in = input.plane(n, c) +
-                                  static_cast<std::size_t>(source(y, input.height(), out.height())) * input.width();
+                const float* in =
+                    input.plane(n, c) +
+                    static_cast<std::size_t>(source(y, input.height(), out.height())) * input.width();
                 float* row = out.plane(n, c) + static_cast<std::size_t>(y) * out.width();
                 for (int x = 0; x < out.width(); ++x) use(row[x], in[columns[x]]);
             }

@@ -8,8 +8,8 @@
 namespace pantin::network {
 namespace {
 
-// The weights lie in tiles of so many outputs, [tile][in][output of the tile], and are read in stretches of so
-// many inputs: a stretch of a tile stays in the second-level cache while all samples pass by.
+// The weights lie in tiles of so many outputs, [tile][in][output of the tile], and are read in stretches of
+// so many inputs: a stretch of a tile stays in the second-level cache while all samples pass by.
 constexpr int tile_outputs = 256;
 constexpr int stretch_inputs = 512;
 
@@ -64,22 +64,23 @@ Tensor Linear::forward(const Tensor& input, const Runtime& runtime) const {
         for (int o = 0; o < width; o += kernel.width) bases.push_back(o);
         std::vector<float> results(static_cast<std::size_t>(input.batch()) * width); // the chains, so far
         for (int n = 0; n < input.batch(); ++n)
-            std::copy_n(bias_.begin() + first, width, results.begin() + static_cast<std::ptrdiff_t>(n) * width);
+            std::copy_n(bias_.begin() + first, width,
+                        results.begin() + static_cast<std::ptrdiff_t>(n) * width);
         const std::ptrdiff_t tap = 0;
         for (int i = 0; i < in_; i += stretch_inputs)
             for (int n = 0; n < input.batch(); n += max_rows) {
                 const int rows = std::min(max_rows, input.batch() - n);
-                kernel.run({tile + static_cast<std::size_t>(i) * width, static_cast<std::size_t>(width),
-                            std::min(stretch_inputs, in_ - i), &tap, 1,
-                            samples.data() + static_cast<std::size_t>(n) * in_ +
-                                static_cast<std::size_t>(i) * rows,
-                            nullptr, rows, bases.data(), static_cast<int>(bases.size()),
-                            results.data() + static_cast<std::size_t>(n) * width,
-                            static_cast<std::size_t>(width), false});
+                kernel.run(
+                    {tile + static_cast<std::size_t>(i) * width, static_cast<std::size_t>(width),
+                     std::min(stretch_inputs, in_ - i), &tap, 1,
+                     samples.data() + static_cast<std::size_t>(n) * in_ + static_cast<std::size_t>(i) * rows,
+                     nullptr, rows, bases.data(), static_cast<int>(bases.size()),
+                     results.data() + static_cast<std::size_t>(n) * width, static_cast<std::size_t>(width),
+                     false});
             }
         for (int n = 0; n < input.batch(); ++n)
-            std::copy_n(results.begin() + static_cast<std::ptrdiff_t>(n) * width, std::min(width, out_ - first),
-                        output.plane(n, first));
+            std::copy_n(results.begin() + static_cast<std::ptrdiff_t>(n) * width,
+                        std::min(width, out_ - first), output.plane(n, first));
     });
     return output;
 }

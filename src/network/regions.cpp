@@ -89,9 +89,8 @@ void roi_align(const Tensor& features, const std::vector<Region>& regions, const
     const std::size_t bins = static_cast<std::size_t>(size) * size;
     const std::size_t per_bin = static_cast<std::size_t>(sampling) * sampling;
     runtime.parallel_for(static_cast<int>(regions.size()), [&](int r) {
-        const std::vector<Sample> samples =
-            samples_of(regions[static_cast<std::size_t>(r)], scale, size, sampling, features.width(),
-                       features.height());
+        const std::vector<Sample> samples = samples_of(regions[static_cast<std::size_t>(r)], scale, size,
+                                                       sampling, features.width(), features.height());
         for (int c = 0; c < features.channels(); ++c) {
             const float* plane = features.plane(0, c);
             float* bin = output.plane(rows[static_cast<std::size_t>(r)], c);

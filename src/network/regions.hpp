@@ -24,8 +24,8 @@ std::vector<int> non_maximum_suppression(const std::vector<Region>& boxes, const
 
 // RoIAlign (He et al. 2017): per region size × size bins of features[0], each the mean of sampling² bilinear
 // samples; `scale` is features' pixels per pixel of the input. Half-pixel offset of the later "aligned"
-// variant is not applied. A region smaller than one feature pixel counts as one. The result of regions[i] goes to
-// entry rows[i] of `output`, [entries][channels][size][size].
+// variant is not applied. A region smaller than one feature pixel counts as one. The result of regions[i]
+// goes to entry rows[i] of `output`, [entries][channels][size][size].
 void roi_align(const Tensor& features, const std::vector<Region>& regions, const std::vector<int>& rows,
                float scale, int sampling, const Runtime& runtime, Tensor& output);
 

@@ -18,7 +18,7 @@ namespace {
 using Block = Buffer::Block;
 
 constexpr std::size_t most_kept = std::size_t{24} << 20; // bytes
-constexpr std::size_t alignment = 64;                     // a cache line, and the widest vector
+constexpr std::size_t alignment = 64;                    // a cache line, and the widest vector
 
 // Blocks that no tensor holds at the moment.
 class Store {

@@ -46,18 +46,20 @@ std::vector<Segment> segments_of(const Joints& j) {
     for (const std::string side : {"left_", "right_"}) {
         all.push_back({Label::body, at(side + "shoulder"), at(side + "hip")});
         // Where trunk and limb meet, the first fifth of the limb is the trunk's.
-        all.push_back({Label::limb, between(at(side + "shoulder"), at(side + "elbow"), 0.2), at(side + "elbow")});
+        all.push_back(
+            {Label::limb, between(at(side + "shoulder"), at(side + "elbow"), 0.2), at(side + "elbow")});
         all.push_back({Label::limb, at(side + "elbow"), at(side + "hand")});
         all.push_back({Label::limb, between(at(side + "hip"), at(side + "knee"), 0.2), at(side + "knee")});
         all.push_back({Label::limb, at(side + "knee"), at(side + "foot")});
     }
-    all.push_back({Label::head, between(at("torso"), at("neck"), 0.6), between(at("torso"), at("neck"), 1.6)});
+    all.push_back(
+        {Label::head, between(at("torso"), at("neck"), 0.6), between(at("torso"), at("neck"), 1.6)});
     return all;
 }
 
 // Joints of the limb that a reference's joint drives: where it begins, its bend, its tip.
-std::optional<std::array<Point2d, 3>> limb_of(const Rig& rig, const ReferenceSkeleton& reference, const std::string& group,
-                                              bool picture_left) {
+std::optional<std::array<Point2d, 3>> limb_of(const Rig& rig, const ReferenceSkeleton& reference,
+                                              const std::string& group, bool picture_left) {
     std::vector<const Bone*> chain;
     for (const Bone& bone : rig.bones) {
         if (bone.reference_joint < 0) continue;
@@ -74,11 +76,14 @@ std::optional<std::array<Point2d, 3>> limb_of(const Rig& rig, const ReferenceSke
 std::optional<Joints> joints_of(const Rig& rig, const ReferenceSkeleton& reference) {
     Joints joints;
     for (const bool picture_left : {true, false}) {
-        const auto arm = limb_of(rig, reference, "arm", picture_left), leg = limb_of(rig, reference, "leg", picture_left);
+        const auto arm = limb_of(rig, reference, "arm", picture_left),
+                   leg = limb_of(rig, reference, "leg", picture_left);
         if (!arm || !leg) return std::nullopt;
         const std::string side = picture_left ? "right_" : "left_"; // the figure faces the viewer
-        joints[side + "shoulder"] = (*arm)[0], joints[side + "elbow"] = (*arm)[1], joints[side + "hand"] = (*arm)[2];
-        joints[side + "hip"] = (*leg)[0], joints[side + "knee"] = (*leg)[1], joints[side + "foot"] = (*leg)[2];
+        joints[side + "shoulder"] = (*arm)[0], joints[side + "elbow"] = (*arm)[1],
+                      joints[side + "hand"] = (*arm)[2];
+        joints[side + "hip"] = (*leg)[0], joints[side + "knee"] = (*leg)[1],
+                      joints[side + "foot"] = (*leg)[2];
     }
     joints["torso"] = between(joints["left_shoulder"], joints["right_shoulder"], 0.5);
     joints["hip"] = joints["root"] = between(joints["left_hip"], joints["right_hip"], 0.5);
@@ -103,14 +108,18 @@ std::string config_text(const Joints& joints, int width, int height) {
 
 #ifdef PANTIN_YAML
 Joints parse_joints(const std::string& text, const std::string& file, int width, int height) {
-    const auto fail = [&](const std::string& fact) -> void { throw Error(ErrorKind::input, file + ": " + fact); };
+    const auto fail = [&](const std::string& fact) -> void {
+        throw Error(ErrorKind::input, file + ": " + fact);
+    };
     Joints joints;
     try {
         const YAML::Node config = YAML::Load(text);
-        if (!config.IsMap() || !config["skeleton"] || !config["skeleton"].IsSequence()) fail("has no list \"skeleton\"");
+        if (!config.IsMap() || !config["skeleton"] || !config["skeleton"].IsSequence())
+            fail("has no list \"skeleton\"");
         for (const YAML::Node& joint : config["skeleton"]) {
             const auto name = joint["name"].as<std::string>();
-            if (!joint["loc"] || joint["loc"].size() != 2) fail("joint '" + name + "' has no place of two numbers");
+            if (!joint["loc"] || joint["loc"].size() != 2)
+                fail("joint '" + name + "' has no place of two numbers");
             const Point2d p{joint["loc"][0].as<double>(), joint["loc"][1].as<double>()};
             // A joint may lie a little outside of the picture.
             if (!(std::abs(p.x) <= 2.0 * width && std::abs(p.y) <= 2.0 * height))
@@ -166,7 +175,8 @@ bool write_animated_drawings(const fs::path& folder, const Rig& rig, const Refer
     std::optional<Joints> joints = joints_of(rig, reference);
     if (!joints) return false;
     const double scale = static_cast<double>(texture.width()) / rig.width;
-    for (auto& [name, place] : *joints) place = {scale * (place.x + 0.5) - 0.5, scale * (place.y + 0.5) - 0.5};
+    for (auto& [name, place] : *joints)
+        place = {scale * (place.x + 0.5) - 0.5, scale * (place.y + 0.5) - 0.5};
     GreyImage mask(texture.width(), texture.height());
     std::transform(texture.begin(), texture.end(), mask.begin(),
                    [](const Rgba8& p) { return static_cast<std::uint8_t>(p.a >= 128 ? 255 : 0); });

@@ -1,5 +1,5 @@
-// Character folders of AnimatedDrawings (facebookresearch/AnimatedDrawings): texture.png, mask.png and char_cfg.yaml, the
-// joints of a human figure. Needs yaml-cpp (built with YAML=1).
+// Character folders of AnimatedDrawings (facebookresearch/AnimatedDrawings): texture.png, mask.png and
+// char_cfg.yaml, the joints of a human figure. Needs yaml-cpp (built with YAML=1).
 #pragma once
 
 #include <array>
@@ -11,38 +11,40 @@
 
 namespace pantin {
 
-// The joints that AnimatedDrawings knows, parents first. "neck" is the middle of the head; left and right are the
-// figure's own.
+// The joints that AnimatedDrawings knows, parents first. "neck" is the middle of the head; left and right are
+// the figure's own.
 struct AnimatedDrawingsJoint {
     const char *name, *parent;
 };
-inline constexpr std::array<AnimatedDrawingsJoint, 16> animated_drawings_joints = {{{"root", nullptr},
-                                                                                    {"hip", "root"},
-                                                                                    {"torso", "hip"},
-                                                                                    {"neck", "torso"},
-                                                                                    {"right_shoulder", "torso"},
-                                                                                    {"right_elbow", "right_shoulder"},
-                                                                                    {"right_hand", "right_elbow"},
-                                                                                    {"left_shoulder", "torso"},
-                                                                                    {"left_elbow", "left_shoulder"},
-                                                                                    {"left_hand", "left_elbow"},
-                                                                                    {"right_hip", "root"},
-                                                                                    {"right_knee", "right_hip"},
-                                                                                    {"right_foot", "right_knee"},
-                                                                                    {"left_hip", "root"},
-                                                                                    {"left_knee", "left_hip"},
-                                                                                    {"left_foot", "left_knee"}}};
+inline constexpr std::array<AnimatedDrawingsJoint, 16> animated_drawings_joints = {
+    {{"root", nullptr},
+     {"hip", "root"},
+     {"torso", "hip"},
+     {"neck", "torso"},
+     {"right_shoulder", "torso"},
+     {"right_elbow", "right_shoulder"},
+     {"right_hand", "right_elbow"},
+     {"left_shoulder", "torso"},
+     {"left_elbow", "left_shoulder"},
+     {"left_hand", "left_elbow"},
+     {"right_hip", "root"},
+     {"right_knee", "right_hip"},
+     {"right_foot", "right_knee"},
+     {"left_hip", "root"},
+     {"left_knee", "left_hip"},
+     {"left_foot", "left_knee"}}};
 
 bool is_animated_drawings_folder(const std::filesystem::path& folder);
 
-// The joints of folder/char_cfg.yaml in pixels of texture.png, which has the given size. Error(input) names the file and
-// the joint that is missing or has no place.
+// The joints of folder/char_cfg.yaml in pixels of texture.png, which has the given size. Error(input) names
+// the file and the joint that is missing or has no place.
 std::map<std::string, Point2d> read_joints(const std::filesystem::path& folder, int width, int height);
 // Part labels of a silhouette by the nearest bone between the joints.
 LabelMap labels_from_joints(const Mask& mask, const std::map<std::string, Point2d>& joints);
 
-// Writes texture.png, mask.png and char_cfg.yaml for a rig with two arms and two legs; false when it has none.
-bool write_animated_drawings(const std::filesystem::path& folder, const Rig& rig, const ReferenceSkeleton& reference,
-                             const RgbaImage& texture);
+// Writes texture.png, mask.png and char_cfg.yaml for a rig with two arms and two legs; false when it has
+// none.
+bool write_animated_drawings(const std::filesystem::path& folder, const Rig& rig,
+                             const ReferenceSkeleton& reference, const RgbaImage& texture);
 
 } // namespace pantin

@@ -44,17 +44,20 @@ void describe_page(BatchResult& result, const Page& page, const fs::path& out) {
     const bool any = std::any_of(page.characters.begin(), page.characters.end(),
                                  [](const PageCharacter& c) { return c.status == "ok"; });
     if (any) return;
-    result.status = page.characters.empty() ? "error: page.json lists no character" : page.characters.front().status;
+    result.status =
+        page.characters.empty() ? "error: page.json lists no character" : page.characters.front().status;
     result.code = static_cast<int>(ErrorKind::not_animated);
 }
 
-// The page.json of a run that was finished, from the same picture. `detect` alone writes a page.json, too, but no GLB.
+// The page.json of a run that was finished, from the same picture. `detect` alone writes a page.json, too,
+// but no GLB.
 std::optional<Page> finished_page(const fs::path& image, const fs::path& out, const Settings& settings) {
     std::error_code ignored;
     if (!fs::exists(out / "page.json", ignored)) return std::nullopt;
     try {
         const Page page = read_page(out / "page.json");
-        bool finished = page.source == image.filename() && page.rotate == settings.rotate && !page.characters.empty();
+        bool finished =
+            page.source == image.filename() && page.rotate == settings.rotate && !page.characters.empty();
         for (const PageCharacter& c : page.characters)
             finished = finished && c.status != unfinished_status &&
                        (c.status != "ok" || fs::exists(out / c.folder / "character.glb", ignored));
@@ -113,14 +116,19 @@ void run_batch_page(const fs::path& image, const fs::path& out, const Settings& 
 }
 
 std::string batch_line(const BatchResult& result, bool with_seconds) {
-    const auto text_or_null = [](const std::optional<std::string>& text) { return text ? Json(*text) : Json(nullptr); };
-    Json line = {{"image", text_or_null(result.image)}, {"out", text_or_null(result.out)},
-                 {"status", result.status},             {"code", result.code}};
+    const auto text_or_null = [](const std::optional<std::string>& text) {
+        return text ? Json(*text) : Json(nullptr);
+    };
+    Json line = {{"image", text_or_null(result.image)},
+                 {"out", text_or_null(result.out)},
+                 {"status", result.status},
+                 {"code", result.code}};
     if (result.skipped) line["skipped"] = true;
     line["characters"] = Json::array();
     for (const BatchCharacter& c : result.characters)
-        line["characters"].push_back(
-            {{"folder", c.folder}, {"status", c.status}, {"type", c.type.empty() ? Json(nullptr) : Json(c.type)}});
+        line["characters"].push_back({{"folder", c.folder},
+                                      {"status", c.status},
+                                      {"type", c.type.empty() ? Json(nullptr) : Json(c.type)}});
     if (with_seconds) line["seconds"] = std::rint(1000 * result.seconds) / 1000;
     return to_compact_json_text(line);
 }
@@ -131,7 +139,8 @@ namespace {
 
 class Conveyor {
 public:
-    Conveyor(int threads, const std::function<BatchTask()>& next, const std::function<bool(const BatchResult&)>& write)
+    Conveyor(int threads, const std::function<BatchTask()>& next,
+             const std::function<bool(const BatchResult&)>& write)
         : ahead_(2 * static_cast<std::size_t>(threads)), next_(next), write_(write) {}
 
     // What each thread does.
@@ -150,7 +159,7 @@ private:
             if (stopped_) return {};
         }
         if (ended_) return {};
-        ended_ = true; // should it throw
+        ended_ = true;            // should it throw
         BatchTask task = next_(); // may wait for the input; others deliver in the meantime
         ended_ = !task;
         number = taken_++;
@@ -186,7 +195,8 @@ private:
 
 } // namespace
 
-void run_in_order(int threads, const std::function<BatchTask()>& next, const std::function<bool(const BatchResult&)>& write) {
+void run_in_order(int threads, const std::function<BatchTask()>& next,
+                  const std::function<bool(const BatchResult&)>& write) {
     Conveyor conveyor(threads, next, write);
     const network::Runtime runtime(threads);
     runtime.parallel_for(threads, [&](int) { conveyor.work(); });

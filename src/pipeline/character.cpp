@@ -15,8 +15,8 @@ std::string size_text(int width, int height) { return std::to_string(width) + "Ã
 
 } // namespace
 
-void fail_size(const std::filesystem::path& file, int width, int height,
-                            const std::string& other, int other_width, int other_height) {
+void fail_size(const std::filesystem::path& file, int width, int height, const std::string& other,
+               int other_width, int other_height) {
     throw Error(ErrorKind::input, file.string() + ": is " + size_text(width, height) + " pixels, but " +
                                       other + " is " + size_text(other_width, other_height));
 }
@@ -85,7 +85,8 @@ const ReferenceSkeleton& reference_of(Character& character, Workshop& workshop) 
     if (!workshop.settings().blend) return chosen;
     if (character.blended) return *character.blended;
     const std::vector<Candidate>& all = identification.candidates;
-    const auto own = std::find_if(all.begin(), all.end(), [&](const Candidate& c) { return c.reference == chosen.name; });
+    const auto own =
+        std::find_if(all.begin(), all.end(), [&](const Candidate& c) { return c.reference == chosen.name; });
     const auto other = std::find_if(all.begin(), all.end(), [&](const Candidate& c) {
         const ReferenceSkeleton& r = workshop.reference(c.reference);
         return r.like.empty() && r.name != chosen.name && r.name != chosen.like;
@@ -97,8 +98,9 @@ const ReferenceSkeleton& reference_of(Character& character, Workshop& workshop) 
 }
 
 bool is_mirrored(const Identification& identification) {
-    return std::any_of(identification.candidates.begin(), identification.candidates.end(),
-                       [&](const Candidate& c) { return c.reference == identification.reference && c.mirrored; });
+    return std::any_of(
+        identification.candidates.begin(), identification.candidates.end(),
+        [&](const Candidate& c) { return c.reference == identification.reference && c.mirrored; });
 }
 
 Rig rig_from_mapping(Character& character, Workshop& workshop, const std::filesystem::path& file) {
@@ -107,15 +109,16 @@ Rig rig_from_mapping(Character& character, Workshop& workshop, const std::filesy
     const bool mirrored = is_mirrored(identification);
     const Mapping mapping =
         mapping_from_json(read_text(file), file.string(), skeleton_of(character), reference);
-    return in_its_space(rig_with_mapping(skeleton_of(character), labels_of(character), reference, mirrored, mapping,
-                                         workshop.options().rigging),
+    return in_its_space(rig_with_mapping(skeleton_of(character), labels_of(character), reference, mirrored,
+                                         mapping, workshop.options().rigging),
                         character, workshop);
 }
 
 const Solid* solid_of(Character& character, Workshop& workshop) {
     std::error_code ignored;
     if (!character.solid && std::filesystem::exists(character.folder / "strokes.json", ignored))
-        character.solid = std::make_shared<const Solid>(read_solid(character.folder, workshop.options().modeling));
+        character.solid =
+            std::make_shared<const Solid>(read_solid(character.folder, workshop.options().modeling));
     return character.solid.get();
 }
 
@@ -126,7 +129,8 @@ Rig in_its_space(Rig rig, Character& character, Workshop& workshop) {
 
 RgbaImage texture_of(Character& character, Workshop& workshop) {
     const RgbImage& drawing = drawing_of(character);
-    return solid_of(character, workshop) ? make_solid_texture(drawing, labels_of(character)) : make_texture(drawing, labels_of(character));
+    return solid_of(character, workshop) ? make_solid_texture(drawing, labels_of(character))
+                                         : make_texture(drawing, labels_of(character));
 }
 
 const Rig& rig_of(Character& character, Workshop& workshop) {

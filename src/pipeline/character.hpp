@@ -45,8 +45,8 @@ Rig in_its_space(Rig rig, Character& character, Workshop& workshop);
 RgbaImage texture_of(Character& character, Workshop& workshop);
 // Error(input): a label map has a value that is none; two pictures that belong together have different sizes.
 void check_labels(const LabelMap& labels, const std::filesystem::path& file);
-[[noreturn]] void fail_size(const std::filesystem::path& file, int width, int height, const std::string& other,
-                            int other_width, int other_height);
+[[noreturn]] void fail_size(const std::filesystem::path& file, int width, int height,
+                            const std::string& other, int other_width, int other_height);
 // The rig for the pairs of a mapping.json.
 Rig rig_from_mapping(Character& character, Workshop& workshop, const std::filesystem::path& file);
 

@@ -4,7 +4,8 @@
 
 namespace pantin {
 
-std::vector<BoneAnimation> animations_of(const Rig& rig, const ReferenceSkeleton& reference, Workshop& workshop) {
+std::vector<BoneAnimation> animations_of(const Rig& rig, const ReferenceSkeleton& reference,
+                                         Workshop& workshop) {
     const AnimationOptions& options = workshop.options().animation;
     std::vector<BoneAnimation> animations;
     for (const ReferenceClip& clip : reference.clips)

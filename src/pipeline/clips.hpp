@@ -7,8 +7,9 @@
 
 namespace pantin {
 
-// The clips in the reference's order, then the motion if the reference can follow it; a motion with the name of a clip
-// replaces that clip.
-std::vector<BoneAnimation> animations_of(const Rig& rig, const ReferenceSkeleton& reference, Workshop& workshop);
+// The clips in the reference's order, then the motion if the reference can follow it; a motion with the name
+// of a clip replaces that clip.
+std::vector<BoneAnimation> animations_of(const Rig& rig, const ReferenceSkeleton& reference,
+                                         Workshop& workshop);
 
 } // namespace pantin

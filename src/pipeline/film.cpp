@@ -65,8 +65,8 @@ Film shoot(const Rig& rig, const BoneAnimation& animation, const RgbaImage& text
     return film;
 }
 
-void write_film(const Film& film, const fs::path& folder, const std::string& stem, const fs::path& frames_folder,
-                const RenderRequest& request, bool first) {
+void write_film(const Film& film, const fs::path& folder, const std::string& stem,
+                const fs::path& frames_folder, const RenderRequest& request, bool first) {
     const auto file = [&](const char* ending) { return folder / (stem + ending); };
     if (wants(request, "webp", first)) write_file(file(".webp"), encode_webp(film.frames, film.fps));
     if (wants(request, "gif", first)) write_file(file(".gif"), encode_gif(film.frames, film.fps));

@@ -19,11 +19,14 @@ struct Film {
 bool wants(const RenderRequest& request, const std::string& format, bool first);
 bool wants_pictures(const RenderRequest& request); // not BVH alone
 
-// An empty film for a loop of `duration` seconds: a whole number of frames that fills it, at about the wanted rate.
+// An empty film for a loop of `duration` seconds: a whole number of frames that fills it, at about the wanted
+// rate.
 Film blank_film(double duration, double fps);
 
-// The clip as frames, at the size and rate of `settings.render`. Frames do not depend on each other, so threads share them out.
-Film shoot(const Rig& rig, const BoneAnimation& animation, const RgbaImage& texture, const View& view, const Settings& settings);
+// The clip as frames, at the size and rate of `settings.render`. Frames do not depend on each other, so
+// threads share them out.
+Film shoot(const Rig& rig, const BoneAnimation& animation, const RgbaImage& texture, const View& view,
+           const Settings& settings);
 
 // Writes folder/<stem>.webp and so on in the wanted formats; PNG frames go to `frames_folder`.
 void write_film(const Film& film, const std::filesystem::path& folder, const std::string& stem,

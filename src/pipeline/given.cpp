@@ -15,7 +15,8 @@ namespace {
 GreyImage load_beside(const fs::path& file, const RgbImage& page, const fs::path& image, int rotate) {
     GreyImage picture = turned(load_grey(file), rotate);
     if (picture.width() != page.width() || picture.height() != page.height())
-        fail_size(file, picture.width(), picture.height(), picture_of(image).string(), page.width(), page.height());
+        fail_size(file, picture.width(), picture.height(), picture_of(image).string(), page.width(),
+                  page.height());
     return picture;
 }
 
@@ -25,7 +26,8 @@ fs::path picture_of(const fs::path& image) {
     return is_animated_drawings_folder(image) ? image / "texture.png" : image;
 }
 
-std::optional<GivenCharacter> given_character(const RgbImage& page, const fs::path& image, const Settings& settings) {
+std::optional<GivenCharacter> given_character(const RgbImage& page, const fs::path& image,
+                                              const Settings& settings) {
     Given given = settings.given;
     const bool has_joints = is_animated_drawings_folder(image) && given.labels.empty();
     if (has_joints && given.mask.empty()) given.mask = image / "mask.png";
@@ -53,7 +55,8 @@ std::optional<GivenCharacter> given_character(const RgbImage& page, const fs::pa
     GivenCharacter character{character_of(page, mask, settings.options.detection), std::nullopt};
     const Mask& small = character.detected.mask;
     if (!labels.empty())
-        character.labels = resize_nearest(crop(labels, character.detected.box), small.width(), small.height());
+        character.labels =
+            resize_nearest(crop(labels, character.detected.box), small.width(), small.height());
     return character;
 }
 

@@ -311,7 +311,8 @@ std::string voronoi_to_json(const std::vector<VoronoiEdge>& edges, const std::ve
         item["from"] = Json::array({edges[i].from.x, edges[i].from.y});
         item["to"] = Json::array({edges[i].to.x, edges[i].to.y});
         item["sites"] = Json::array({edges[i].site_a, edges[i].site_b});
-        item["residual"] = std::isfinite(residuals[i]) ? Json(residuals[i]) : Json(nullptr); // between two borders
+        item["residual"] =
+            std::isfinite(residuals[i]) ? Json(residuals[i]) : Json(nullptr); // between two borders
         json["edges"].push_back(item);
     }
     return to_json_text(json);

@@ -31,10 +31,12 @@ Source from_character(const fs::path& folder) {
 Strokes from_file(const fs::path& file) {
     const std::string text = read_text(file);
     std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
     if (ending == ".svg") return strokes_from_svg(text, file.string());
     if (ending == ".json") return strokes_from_json(text, file.string());
-    throw Error(ErrorKind::input, file.string() + ": must be a .json or .svg file of strokes, or a character's folder");
+    throw Error(ErrorKind::input,
+                file.string() + ": must be a .json or .svg file of strokes, or a character's folder");
 }
 
 Source source_of(const fs::path& input) {
@@ -53,13 +55,15 @@ Model build(const Strokes& strokes, const std::string& name, const ModelOptions&
 
 } // namespace
 
-void model_folder(const fs::path& input, const fs::path& out, const fs::path& calls, const Settings& settings) {
+void model_folder(const fs::path& input, const fs::path& out, const fs::path& calls,
+                  const Settings& settings) {
     const auto progress = [&](const char* what, double share) {
         if (settings.progress) settings.progress(what, share);
     };
     progress("strokes", 0);
     Source source = source_of(input);
-    if (!calls.empty()) source.strokes = with_calls(std::move(source.strokes), read_text(calls), calls.string());
+    if (!calls.empty())
+        source.strokes = with_calls(std::move(source.strokes), read_text(calls), calls.string());
     progress("model", 0.1);
     Model model = build(source.strokes, input.string(), settings.options.modeling);
     progress("union", 0.3);
@@ -77,7 +81,8 @@ void model_folder(const fs::path& input, const fs::path& out, const fs::path& ca
     const Rig rig = model_rig(model, mesh, view, projected ? std::vector<Rgb8>{} : part_colours(model, mesh));
     const RgbaImage texture = make_solid_texture(source.picture->drawing, source.picture->labels);
     if (settings.notice) {
-        for (const std::string& repair : source.strokes.repairs) settings.notice(input.string() + ": " + repair);
+        for (const std::string& repair : source.strokes.repairs)
+            settings.notice(input.string() + ": " + repair);
         for (const std::string& repair : model.repairs()) settings.notice(input.string() + ": " + repair);
     }
     progress("files", 0.9);

@@ -6,6 +6,7 @@
 namespace pantin {
 
 // Front, side, top, three quarters; `size` pixels each way a panel, on white. `rig`: model_rig()'s.
-RgbImage model_sheet(const Rig& rig, const RgbaImage& texture, const Model& model, const ModelView& view, int size = 400);
+RgbImage model_sheet(const Rig& rig, const RgbaImage& texture, const Model& model, const ModelView& view,
+                     int size = 400);
 
 } // namespace pantin

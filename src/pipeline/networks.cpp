@@ -10,7 +10,8 @@ namespace {
 std::span<const unsigned char> compiled_in(const std::string& name) {
     const std::span<const unsigned char> bytes = find_resource(name);
     if (bytes.empty())
-        throw Error(ErrorKind::weights, name + " is not compiled into this program: give a folder with --weights");
+        throw Error(ErrorKind::weights,
+                    name + " is not compiled into this program: give a folder with --weights");
     return bytes;
 }
 
@@ -32,7 +33,8 @@ template <class Network> const Network& Networks::loaded(std::optional<Network>&
         return network.emplace(compiled_in(resource), resource + " (compiled in)");
     }
     const std::filesystem::path file = folder_ / name;
-    return network.emplace(read_weights(file), file.string()); // the bytes are not needed any more once the network is there
+    return network.emplace(read_weights(file),
+                           file.string()); // the bytes are not needed any more once the network is there
 }
 
 const CharacterFinder& Networks::finder() { return loaded(finder_, "detector.safetensors"); }

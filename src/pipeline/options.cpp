@@ -216,8 +216,8 @@ Options make_preset(std::string_view name) {
     if (name != "thesis")
         throw Error(ErrorKind::usage,
                     "--preset: there is no preset '" + std::string(name) + "' (default, thesis)");
-    options.detection.working_size = 321;             // ch. 5: the network's input
-    options.segmentation.mirror = false;              // 4.3: one look at the drawing
+    options.detection.working_size = 321; // ch. 5: the network's input
+    options.segmentation.mirror = false;  // 4.3: one look at the drawing
     options.segmentation.tilt = 0;
     options.segmentation.least_sureness = 0;          // 4.3: whatever was detected is a character
     options.segmentation.silhouette.rim = 0;          // 4.2: the detector's mask
@@ -225,7 +225,7 @@ Options make_preset(std::string_view name) {
     options.skeletonization.recover_parts_share = 0;
     options.skeletonization.cut_cycles = false;
     options.skeletonization.lower_threshold = false;
-    options.skeletonization.fill_holes_share = 0; // ERRATA 4: holes are kept
+    options.skeletonization.fill_holes_share = 0;      // ERRATA 4: holes are kept
     options.identification.thesis_score = true;        // Eq. 4.3–4.7, K_v of ch. 5, ERRATA 8
     options.identification.use_evidence = false;       // ERRATA 10
     options.identification.use_ilp = ilp_available();  // ch. 5: solved by GLPK
@@ -233,10 +233,10 @@ Options make_preset(std::string_view name) {
     options.rigging.mapping.label_aware = false;       // ERRATA 19
     options.rigging.mesh.interpolate_distance = false; // 4.6: a binary mask, so midpoints (ERRATA 21)
     options.rigging.mesh.snap = 0;
-    options.rigging.mesh.margin = 0;                   // 4.6: the mask itself
-    options.rigging.mesh.cut_touching_parts = false;   // ERRATA 22
-    options.rigging.thesis_weights = true;             // Algorithm 4.4
-    options.rigging.limb_segments = 1;                 // one bone an end-effector
+    options.rigging.mesh.margin = 0;                 // 4.6: the mask itself
+    options.rigging.mesh.cut_touching_parts = false; // ERRATA 22
+    options.rigging.thesis_weights = true;           // Algorithm 4.4
+    options.rigging.limb_segments = 1;               // one bone an end-effector
     return options;
 }
 
@@ -245,7 +245,8 @@ void apply_config_text(Options& options, const std::string& text, const std::str
     std::map<std::string, JsonReader> given;
     flatten(JsonReader(json, source), "", given);
     visit_options(options, Setter{given});
-    if (!given.empty()) throw Error(ErrorKind::input, source + ": there is no option '" + given.begin()->first + "'");
+    if (!given.empty())
+        throw Error(ErrorKind::input, source + ": there is no option '" + given.begin()->first + "'");
 }
 
 void apply_config(Options& options, const std::filesystem::path& file) {

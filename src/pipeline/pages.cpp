@@ -16,13 +16,14 @@ namespace fs = std::filesystem;
 namespace {
 
 // What a run writes into a character's folder; `trace` and `frames` are folders.
-constexpr const char* own_files[] = {
-    "drawing.png",  "mask.png",      "labels.png",          "segmentation.json", "contour.json",
-    "skeleton.png", "skeleton.json", "identification.json", "mapping.json",      "mesh.obj",
-    "mesh.mtl",     "weights.txt",   "character.glb",       "skeletons.png", "skeletons.json"};
+constexpr const char* own_files[] = {"drawing.png",   "mask.png",      "labels.png",    "segmentation.json",
+                                     "contour.json",  "skeleton.png",  "skeleton.json", "identification.json",
+                                     "mapping.json",  "mesh.obj",      "mesh.mtl",      "weights.txt",
+                                     "character.glb", "skeletons.png", "skeletons.json"};
 constexpr const char* film_endings[] = {".webp", ".gif", ".apng", ".mp4", ".bvh"};
 
-// A run that was killed may leave the beginning of a file: `.<name>.<process>.part`, and `<name>.mp4.part` of ffmpeg.
+// A run that was killed may leave the beginning of a file: `.<name>.<process>.part`, and `<name>.mp4.part` of
+// ffmpeg.
 std::string without_part(const std::string& name) {
     if (!name.ends_with(".part")) return name;
     const std::string begun = name.substr(0, name.size() - 5);
@@ -32,9 +33,9 @@ std::string without_part(const std::string& name) {
 }
 
 bool is_page_file(const std::string& name) {
-    return name == "page.json" || std::any_of(std::begin(film_endings), std::end(film_endings), [&](const char* ending) {
-               return name == "scene" + std::string(ending);
-           });
+    return name == "page.json" ||
+           std::any_of(std::begin(film_endings), std::end(film_endings),
+                       [&](const char* ending) { return name == "scene" + std::string(ending); });
 }
 
 bool is_own_file(const std::string& name) {
@@ -80,7 +81,8 @@ void remove_former_run(const fs::path& out) {
 }
 
 PageCharacter describe(const DetectedCharacter& detected, std::size_t number) {
-    return {"character-" + std::to_string(number), detected.box, detected.scale, detected.score, unfinished_status};
+    return {"character-" + std::to_string(number), detected.box, detected.scale, detected.score,
+            unfinished_status};
 }
 
 } // namespace

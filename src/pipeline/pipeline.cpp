@@ -47,7 +47,8 @@ std::string animate_character(Character& character, Workshop& workshop,
 }
 
 bool any_animated(const Page& page) {
-    return std::any_of(page.characters.begin(), page.characters.end(), [](const PageCharacter& c) { return c.status == "ok"; });
+    return std::any_of(page.characters.begin(), page.characters.end(),
+                       [](const PageCharacter& c) { return c.status == "ok"; });
 }
 
 } // namespace
@@ -77,15 +78,18 @@ DetectedPage run_animate(const fs::path& image, const fs::path& out, Workshop& w
 
 Settings settings_for(const fs::path& image, const Settings& wanted) {
     Settings settings = wanted;
-    if (is_animated_drawings_folder(image) && settings.given.reference.empty()) settings.given.reference = "humanoid";
+    if (is_animated_drawings_folder(image) && settings.given.reference.empty())
+        settings.given.reference = "humanoid";
     return settings;
 }
 
 void require_animated(const fs::path& image, const Page& page) {
     if (any_animated(page)) return;
     std::string reasons;
-    for (const PageCharacter& entry : page.characters) reasons += (reasons.empty() ? "" : "; ") + entry.folder + ": " + entry.status;
-    throw Error(ErrorKind::not_animated, image.string() + ": no character could be animated (" + reasons + ")");
+    for (const PageCharacter& entry : page.characters)
+        reasons += (reasons.empty() ? "" : "; ") + entry.folder + ": " + entry.status;
+    throw Error(ErrorKind::not_animated,
+                image.string() + ": no character could be animated (" + reasons + ")");
 }
 
 Page animate(const fs::path& image, const fs::path& out, const Settings& settings) {

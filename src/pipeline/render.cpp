@@ -24,13 +24,14 @@ std::vector<BoneAnimation> chosen(const std::vector<BoneAnimation>& all, const s
     throw CharacterRejected("render", "the " + reference + " has no clip '" + wanted + "' (" + names + ")");
 }
 
-// The view holds every clip, so that all films of a character show it at the same size; a recorded motion, which may go
-// a long way, has a view of its own.
+// The view holds every clip, so that all films of a character show it at the same size; a recorded motion,
+// which may go a long way, has a view of its own.
 View view_for(const Rig& rig, const BoneAnimation& animation, const std::vector<BoneAnimation>& all,
               const std::string& motion) {
     if (animation.name == motion) return view_of(rig, {animation});
     std::vector<BoneAnimation> clips;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(clips), [&](const BoneAnimation& a) { return a.name != motion; });
+    std::copy_if(all.begin(), all.end(), std::back_inserter(clips),
+                 [&](const BoneAnimation& a) { return a.name != motion; });
     return view_of(rig, clips);
 }
 
@@ -49,8 +50,9 @@ void run_render(Character& character, Workshop& workshop) {
         if (wants(settings.render, "bvh", first))
             write_file(character.folder / (name + ".bvh"), to_bvh(rig, animation));
         if (!wants_pictures(settings.render)) continue;
-        write_film(shoot(rig, animation, texture, view_for(rig, animation, all, motion), settings), character.folder,
-                   name, character.folder / "frames" / animation.name, settings.render, first);
+        write_film(shoot(rig, animation, texture, view_for(rig, animation, all, motion), settings),
+                   character.folder, name, character.folder / "frames" / animation.name, settings.render,
+                   first);
     }
 }
 

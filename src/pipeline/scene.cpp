@@ -47,7 +47,8 @@ std::vector<Actor> cast(const Page& page, std::vector<Character>& characters, Wo
         Actor actor;
         actor.rig = &rig_of(character, workshop);
         actor.texture = make_texture(drawing_of(character), labels_of(character));
-        actor.animation = animation_for(animations_of(*actor.rig, reference, workshop), workshop.settings().render.clip);
+        actor.animation =
+            animation_for(animations_of(*actor.rig, reference, workshop), workshop.settings().render.clip);
         actor.box = page.characters[i].box;
         actors.push_back(std::move(actor));
     }
@@ -64,19 +65,25 @@ double common_duration(std::vector<Actor>& actors) {
     return duration;
 }
 
-// Where the actor gets to, on whole pixels of a frame that shows the page with so many pixels to a pixel of the page. In
-// the actor's world one unit is the height of its box and the origin the middle of its lower edge.
+// Where the actor gets to, on whole pixels of a frame that shows the page with so many pixels to a pixel of
+// the page. In the actor's world one unit is the height of its box and the origin the middle of its lower
+// edge.
 Place place_of(const Actor& actor, double scale, RenderOptions picture) {
     const View reach = view_of(*actor.rig, {actor.animation});
     const double unit = scale * actor.box.height;
-    const double origin_x = scale * (actor.box.x + 0.5 * actor.box.width), origin_y = scale * (actor.box.y + actor.box.height);
-    const double left = std::floor(origin_x + unit * reach.left), right = std::ceil(origin_x + unit * (reach.left + reach.width));
-    const double top = std::floor(origin_y - unit * (reach.bottom + reach.height)), bottom = std::ceil(origin_y - unit * reach.bottom);
-    const View view{(left - origin_x) / unit, (origin_y - bottom) / unit, (right - left) / unit, (bottom - top) / unit};
+    const double origin_x = scale * (actor.box.x + 0.5 * actor.box.width),
+                 origin_y = scale * (actor.box.y + actor.box.height);
+    const double left = std::floor(origin_x + unit * reach.left),
+                 right = std::ceil(origin_x + unit * (reach.left + reach.width));
+    const double top = std::floor(origin_y - unit * (reach.bottom + reach.height)),
+                 bottom = std::ceil(origin_y - unit * reach.bottom);
+    const View view{(left - origin_x) / unit, (origin_y - bottom) / unit, (right - left) / unit,
+                    (bottom - top) / unit};
     picture.background = {0, 0, 0, 0};
     picture.perspective = false;
     picture.size = static_cast<int>(std::max(right - left, bottom - top));
-    return {static_cast<int>(left), static_cast<int>(top), FrameRenderer(*actor.rig, actor.texture, view, picture)};
+    return {static_cast<int>(left), static_cast<int>(top),
+            FrameRenderer(*actor.rig, actor.texture, view, picture)};
 }
 
 std::vector<Vec3> pose_of(const Actor& actor, double share) {
@@ -99,7 +106,8 @@ void put_over(RgbaImage& picture, const RgbaImage& layer, int left, int top) {
 
 // Where a character is drawn, on a page of that size.
 void mark(Mask& hole, const Actor& actor, const Page& page) {
-    const double sx = static_cast<double>(page.width) / hole.width(), sy = static_cast<double>(page.height) / hole.height();
+    const double sx = static_cast<double>(page.width) / hole.width(),
+                 sy = static_cast<double>(page.height) / hole.height();
     for (int y = 0; y < hole.height(); ++y)
         for (int x = 0; x < hole.width(); ++x) {
             const double u = ((x + 0.5) * sx - actor.box.x) / actor.box.width * actor.texture.width();
@@ -130,9 +138,13 @@ void run_scene(const std::filesystem::path& image, const std::filesystem::path& 
     std::vector<Actor> actors = cast(page, characters, workshop);
     if (actors.empty()) return;
     Film film = blank_film(common_duration(actors), settings.render.fps);
-    const double scale = static_cast<double>(settings.render.picture.size) / std::max(page.width, page.height);
-    const auto pixels = [&](int length) { return std::max(1, static_cast<int>(std::floor(scale * length + 0.5))); };
-    const RgbImage drawn = resize(turned(load_image(picture_of(image)), settings.rotate), pixels(page.width), pixels(page.height));
+    const double scale =
+        static_cast<double>(settings.render.picture.size) / std::max(page.width, page.height);
+    const auto pixels = [&](int length) {
+        return std::max(1, static_cast<int>(std::floor(scale * length + 0.5)));
+    };
+    const RgbImage drawn = resize(turned(load_image(picture_of(image)), settings.rotate), pixels(page.width),
+                                  pixels(page.height));
     const RgbaImage paper = empty_paper(drawn, actors, page);
     std::vector<Place> places;
     for (const Actor& actor : actors) places.push_back(place_of(actor, scale, settings.render.picture));

@@ -1,4 +1,5 @@
-// The whole page as one film: every character moves in its place, before the paper with the characters taken off.
+// The whole page as one film: every character moves in its place, before the paper with the characters taken
+// off.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +9,8 @@
 
 namespace pantin {
 
-// Writes out/scene.webp and so on (PNG frames: out/frames/scene). `characters` are those of `page`; those whose status is
-// not "ok" stay on the paper as they were drawn.
+// Writes out/scene.webp and so on (PNG frames: out/frames/scene). `characters` are those of `page`; those
+// whose status is not "ok" stay on the paper as they were drawn.
 void run_scene(const std::filesystem::path& image, const std::filesystem::path& out, const Page& page,
                std::vector<Character>& characters, Workshop& workshop);
 

@@ -29,7 +29,8 @@ constexpr double end_radius = 3, junction_radius = 2.5; // pixels of the labels
 // A part of the picture that is addressed in pixels of the labels.
 class Panel {
 public:
-    Panel(RgbImage& picture, int left, int width) : picture_(picture), left_(left), width_(width), height_(picture.height()) {}
+    Panel(RgbImage& picture, int left, int width)
+        : picture_(picture), left_(left), width_(width), height_(picture.height()) {}
 
     void paint(Point2i p, Rgb8 colour) {
         for (int y = zoom * p.y; y < zoom * (p.y + 1); ++y)
@@ -44,8 +45,12 @@ public:
     void mark(const SkeletonVertex& vertex) {
         const double cx = zoom * (vertex.x + 0.5) - 0.5, cy = zoom * (vertex.y + 0.5) - 0.5;
         const double radius = zoom * (vertex.end ? end_radius : junction_radius);
-        const auto first = [radius](double c) { return std::max(0, static_cast<int>(std::ceil(c - radius))); };
-        const auto last = [radius](double c, int size) { return std::min(size - 1, static_cast<int>(std::floor(c + radius))); };
+        const auto first = [radius](double c) {
+            return std::max(0, static_cast<int>(std::ceil(c - radius)));
+        };
+        const auto last = [radius](double c, int size) {
+            return std::min(size - 1, static_cast<int>(std::floor(c + radius)));
+        };
         for (int y = first(cy); y <= last(cy, height_); ++y)
             for (int x = first(cx); x <= last(cx, width_); ++x)
                 if (vertex.end || (x - cx) * (x - cx) + (y - cy) * (y - cy) <= radius * radius)
@@ -59,13 +64,16 @@ private:
 
 // The part's colour, darker where the drawing has ink: two fifths of the ink's darkness.
 Rgb8 lightened(Rgb8 part, Rgb8 ink) {
-    const auto mix = [](int a, int b) { return static_cast<std::uint8_t>(a * (255 - (255 - b) * 2 / 5) / 255); };
+    const auto mix = [](int a, int b) {
+        return static_cast<std::uint8_t>(a * (255 - (255 - b) * 2 / 5) / 255);
+    };
     return {mix(part.r, ink.r), mix(part.g, ink.g), mix(part.b, ink.b)};
 }
 
 void draw(Panel& panel, const ComparedSkeleton& compared) {
     const Skeletonization& s = compared.skeletonization;
-    if (s.voronoi_raster != s.mask) panel.fill(s.voronoi_raster, ridge_colour); // thinning's ridges are the whole silhouette
+    if (s.voronoi_raster != s.mask)
+        panel.fill(s.voronoi_raster, ridge_colour); // thinning's ridges are the whole silhouette
     panel.fill(s.skeleton, dropped_colour);
     for (const SkeletonEdge& edge : s.graph.edges)
         for (const Point2i p : edge.pixels) panel.paint(p, edge_colour);
@@ -93,7 +101,8 @@ std::vector<ComparedSkeleton> compare_skeletons(const LabelMap& labels, Skeleton
     return result;
 }
 
-RgbImage comparison_picture(const std::vector<ComparedSkeleton>& skeletons, const LabelMap& labels, const RgbImage& drawing) {
+RgbImage comparison_picture(const std::vector<ComparedSkeleton>& skeletons, const LabelMap& labels,
+                            const RgbImage& drawing) {
     const int width = labels.width(), height = labels.height(), panels = static_cast<int>(skeletons.size());
     const RgbImage ink = resize(drawing, width, height);
     RgbImage picture(panels * zoom * width + (panels - 1) * gap, zoom * height, divider);
@@ -110,7 +119,8 @@ std::string comparison_to_json(const std::vector<ComparedSkeleton>& skeletons) {
     nlohmann::ordered_json json;
     for (const ComparedSkeleton& compared : skeletons) {
         const SkeletonGraph& graph = compared.skeletonization.graph;
-        const auto ends = std::count_if(graph.vertices.begin(), graph.vertices.end(), [](const auto& v) { return v.end; });
+        const auto ends =
+            std::count_if(graph.vertices.begin(), graph.vertices.end(), [](const auto& v) { return v.end; });
         double length = 0;
         for (const SkeletonEdge& edge : graph.edges) length += edge.length;
         json[compared.name] = {{"status", compared.status},
@@ -127,7 +137,8 @@ void compare_skeletons_folder(const std::filesystem::path& folder, const Setting
     Character character;
     character.folder = folder;
     const LabelMap& labels = labels_of(character);
-    const std::vector<ComparedSkeleton> skeletons = compare_skeletons(labels, settings.options.skeletonization);
+    const std::vector<ComparedSkeleton> skeletons =
+        compare_skeletons(labels, settings.options.skeletonization);
     save_png(folder / "skeletons.png", comparison_picture(skeletons, labels, drawing_of(character)));
     write_file(folder / "skeletons.json", comparison_to_json(skeletons));
 }

@@ -34,8 +34,11 @@ Json part_to_json(const Model& model, std::size_t index) {
 
 std::string model_to_json(const Model& model, const ModelView& view, bool projected) {
     Json json;
-    json["view"] = {{"width", view.width}, {"height", view.height}, {"scale", view.scale},
-                    {"offset", {view.offset.x, view.offset.y}}, {"shear", {view.shear.x, view.shear.y}}};
+    json["view"] = {{"width", view.width},
+                    {"height", view.height},
+                    {"scale", view.scale},
+                    {"offset", {view.offset.x, view.offset.y}},
+                    {"shear", {view.shear.x, view.shear.y}}};
     json["texture"] = projected ? "drawing" : "parts";
     json["parts"] = Json::array();
     for (std::size_t p = 0; p < model.parts().size(); ++p) json["parts"].push_back(part_to_json(model, p));

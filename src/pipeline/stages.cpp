@@ -23,10 +23,12 @@ void run_segment(Character& character, Workshop& workshop) {
     write_file(character.folder / "segmentation.json", segmentation_to_json(result));
     character.labels = result.labels;
     // The files are there: whoever knows better corrects labels.png and goes on with the next step.
-    const bool scribble = result.sureness < options.least_sureness && result.stroke_ratio > options.scribble_ratio;
+    const bool scribble =
+        result.sureness < options.least_sureness && result.stroke_ratio > options.scribble_ratio;
     if (workshop.keeps) character.segmentation = std::move(result);
     if (scribble)
-        throw CharacterRejected("segment", "looks like a scribble: many strokes, and no part that the network is sure of");
+        throw CharacterRejected(
+            "segment", "looks like a scribble: many strokes, and no part that the network is sure of");
 }
 
 void run_skeletonize(Character& character, Workshop& workshop) {
@@ -42,7 +44,8 @@ void run_skeletonize(Character& character, Workshop& workshop) {
 void run_identify(Character& character, Workshop& workshop) {
     IdentificationOptions options = workshop.options().identification;
     options.reference = workshop.settings().given.reference;
-    Identification result = identify(skeleton_of(character), labels_of(character), workshop.references(), options);
+    Identification result =
+        identify(skeleton_of(character), labels_of(character), workshop.references(), options);
     write_file(character.folder / "identification.json", identification_to_json(result));
     character.identification = std::move(result);
 }
@@ -51,8 +54,8 @@ void run_rig(Character& character, Workshop& workshop) {
     const Identification& identification = identification_of(character, workshop);
     const ReferenceSkeleton& reference = reference_of(character, workshop);
     const std::filesystem::path& mapping = workshop.settings().mapping;
-    Rig result = mapping.empty() ? in_its_space(rig(skeleton_of(character), labels_of(character), identification, {reference},
-                                                    workshop.options().rigging),
+    Rig result = mapping.empty() ? in_its_space(rig(skeleton_of(character), labels_of(character),
+                                                    identification, {reference}, workshop.options().rigging),
                                                 character, workshop)
                                  : rig_from_mapping(character, workshop, mapping);
     const std::vector<BoneAnimation> animations = animations_of(result, reference, workshop);
@@ -65,8 +68,10 @@ void run_rig(Character& character, Workshop& workshop) {
     write_file(folder / "weights.txt", to_weights_text(result));
     write_file(folder / "character.glb", to_glb(result, texture, animations));
     if (workshop.settings().animated_drawings &&
-        !write_animated_drawings(folder / "animated_drawings", result, reference, texture) && workshop.settings().notice)
-        workshop.settings().notice(folder.string() + ": has not the arms and legs of an AnimatedDrawings character");
+        !write_animated_drawings(folder / "animated_drawings", result, reference, texture) &&
+        workshop.settings().notice)
+        workshop.settings().notice(folder.string() +
+                                   ": has not the arms and legs of an AnimatedDrawings character");
     character.rig = std::move(result);
 }
 

@@ -28,7 +28,8 @@ public:
     // Error(input) when a reference file is invalid.
     const std::vector<ReferenceSkeleton>& references();
     const ReferenceSkeleton& reference(const std::string& name);
-    // The recorded motion of the settings, or null. When it is read its table of joints goes to `notice`. Error(input).
+    // The recorded motion of the settings, or null. When it is read its table of joints goes to `notice`.
+    // Error(input).
     struct NamedMotion {
         Motion motion;
         MotionJoints joints;

@@ -7,9 +7,9 @@
 namespace pantin {
 namespace {
 
-constexpr double stubby = 1.6;    // a limb shorter than this many widths is one stiff bone
-constexpr double long_tail = 5.0; // a tail longer than this many widths gets one more bone
-constexpr double long_neck = 2.2; // a head with its neck longer than this many widths gets two bones
+constexpr double stubby = 1.6;      // a limb shorter than this many widths is one stiff bone
+constexpr double long_tail = 5.0;   // a tail longer than this many widths gets one more bone
+constexpr double long_neck = 2.2;   // a head with its neck longer than this many widths gets two bones
 constexpr double bend_share = 0.06; // a limb that leaves its chord by this share of its length bends there
 constexpr double innermost_bend = 0.35; // of the length, and as far from the tip
 constexpr double shortest_spine = 0.12; // of the longer side of the skeleton's box
@@ -71,8 +71,8 @@ int bone_at(const LimbBones& bones, double position) {
     return bones.first + segment;
 }
 
-// Where a limb of two bones is jointed: at its drawn elbow or knee, the point farthest from the chord; in the middle of a
-// straight one.
+// Where a limb of two bones is jointed: at its drawn elbow or knee, the point farthest from the chord; in the
+// middle of a straight one.
 double bend_of(const Limb& limb) {
     const Point2d from = limb.path.front(), chord = limb.path.back() - from;
     const double middle = limb.length() / 2, span = length(chord);
@@ -94,7 +94,8 @@ std::vector<double> joints_of(const Limb& limb, int count) {
     return joints;
 }
 
-// The VRM name of a humanoid's bone; the performer faces the viewer, so the arm at the left of the picture is the right one.
+// The VRM name of a humanoid's bone; the performer faces the viewer, so the arm at the left of the picture is
+// the right one.
 std::string humanoid_name(const std::string& joint, int segment, bool mirrored) {
     const bool arm = joint.starts_with("arm_"), leg = joint.starts_with("leg_");
     if (!arm && !leg) return "";
@@ -105,7 +106,8 @@ std::string humanoid_name(const std::string& joint, int segment, bool mirrored) 
 
 class BoneMaker {
 public:
-    BoneMaker(const Limbs& limbs, const ReferenceSkeleton& reference, bool mirrored, int limb_segments, Point2d head_centre)
+    BoneMaker(const Limbs& limbs, const ReferenceSkeleton& reference, bool mirrored, int limb_segments,
+              Point2d head_centre)
         : limbs_(limbs), reference_(reference), mirrored_(mirrored), limb_segments_(limb_segments),
           head_centre_(head_centre), humanoid_(is_humanoid(reference)), trunk_(reference.joints.size(), 0) {
         skeleton_.bones.push_back(root_bone(reference, mirrored, limbs.root));
@@ -139,7 +141,8 @@ private:
         return std::max(high.x - low.x, high.y - low.y);
     }
 
-    // A joint that moves a node of the body becomes a bone between what hangs on the root and what hangs on it.
+    // A joint that moves a node of the body becomes a bone between what hangs on the root and what hangs on
+    // it.
     void add_spine() {
         for (std::size_t j = 1; j < reference_.joints.size(); ++j) {
             const ReferenceJoint& joint = reference_.joints[j];
@@ -155,14 +158,16 @@ private:
             bone.tail = far;
             bone.reference_joint = static_cast<int>(j);
             trunk_[j] = static_cast<int>(skeleton_.bones.size());
-            skeleton_.spine.push_back({trunk_[j], bone.head, (1 / spine) * (far - near), spine_blend * spine});
+            skeleton_.spine.push_back(
+                {trunk_[j], bone.head, (1 / spine) * (far - near), spine_blend * spine});
             skeleton_.bones.push_back(bone);
         }
     }
 
     std::string name_of(const Limb& limb, int segment, int count) const {
         const std::string base = base_name(reference_, limb.reference_end);
-        const std::string human = humanoid_ && limb.label == Label::limb ? humanoid_name(base, segment, mirrored_) : "";
+        const std::string human =
+            humanoid_ && limb.label == Label::limb ? humanoid_name(base, segment, mirrored_) : "";
         if (!human.empty()) return human;
         if (limb.label == Label::head) return count > 1 && segment == 0 ? "neck" : base;
         return segment == 0 ? base : base + "." + std::to_string(segment);

@@ -14,11 +14,12 @@ struct LimbBones {
     int count() const { return static_cast<int>(joints.size()) - 1; }
 };
 
-// A bone of the trunk that turns the part of the body beyond a joint of the spine: the chest against the hips.
+// A bone of the trunk that turns the part of the body beyond a joint of the spine: the chest against the
+// hips.
 struct SpineBone {
     int bone = -1;
     Point2d pivot, direction; // unit vector along the spine, away from the root
-    double blend = 0;         // half the way along the spine over which the weights pass from one side to the other
+    double blend = 0; // half the way along the spine over which the weights pass from one side to the other
 };
 
 struct Skeleton {

@@ -16,10 +16,10 @@ namespace {
 
 using Matrix = std::vector<std::vector<double>>;
 
-constexpr double prong_share = 0.3; // of the rest of the limb
-constexpr double frame_reach = 0.75; // a place farther than this many boxes outside is told no farther
+constexpr double prong_share = 0.3;    // of the rest of the limb
+constexpr double frame_reach = 0.75;   // a place farther than this many boxes outside is told no farther
 constexpr double clearly_below = 0.15; // of the box of the vertices
-constexpr double least_trunk = 0.04; // of the silhouette
+constexpr double least_trunk = 0.04;   // of the silhouette
 constexpr double pi = 3.14159265358979323846;
 
 std::vector<int> end_effectors(const SkeletonGraph& graph) {
@@ -67,7 +67,8 @@ std::vector<std::vector<PathSamples>> all_paths(const Figure& figure, const std:
     return paths;
 }
 
-EndComparison compare(const std::vector<PathSamples>& from_u, const std::vector<PathSamples>& from_v, const MappingOptions& options) {
+EndComparison compare(const std::vector<PathSamples>& from_u, const std::vector<PathSamples>& from_v,
+                      const MappingOptions& options) {
     EndComparison result;
     for (const PathSamples& p : from_u) {
         std::vector<double>& row = result.distances.emplace_back();
@@ -96,7 +97,9 @@ struct Frame {
     Point2d low, high;
     bool empty() const { return high.x <= low.x || high.y <= low.y; }
     Point2d place(Point2d p) const {
-        const auto share = [](double v, double a, double b) { return std::clamp((v - a) / (b - a), -frame_reach, 1 + frame_reach); };
+        const auto share = [](double v, double a, double b) {
+            return std::clamp((v - a) / (b - a), -frame_reach, 1 + frame_reach);
+        };
         return {share(p.x, low.x, high.x), share(p.y, low.y, high.y)};
     }
 };
@@ -127,7 +130,7 @@ Frame trunk_of(const SkeletonGraph& drawn, const ReferenceSkeleton& reference) {
 struct Places {
     std::vector<Point2d> ends;
     std::vector<Point2d> beside_trunk; // the same in the trunk's box; empty without trunk
-    Point2d middle;               // of the body, in the box of the vertices
+    Point2d middle;                    // of the body, in the box of the vertices
     std::vector<double> bearings; // clockwise from straight up around the middle of the body, in [0, 2π)
 };
 
@@ -250,8 +253,8 @@ std::vector<double> prominence_of(const SkeletonGraph& graph, const std::vector<
     return prominence;
 }
 
-Problem make_problem(const SkeletonGraph& a, const std::vector<int>& ends_a, const Frame& trunk_a, const SkeletonGraph& b,
-                     const std::vector<int>& ends_b, const Frame& trunk_b) {
+Problem make_problem(const SkeletonGraph& a, const std::vector<int>& ends_a, const Frame& trunk_a,
+                     const SkeletonGraph& b, const std::vector<int>& ends_b, const Frame& trunk_b) {
     Problem problem;
     for (const int e : ends_a) problem.labels_a.push_back(a.vertices[e].label);
     for (const int e : ends_b) problem.labels_b.push_back(b.vertices[e].label);
@@ -263,8 +266,8 @@ Problem make_problem(const SkeletonGraph& a, const std::vector<int>& ends_a, con
 
 double squared_distance(Point2d a, Point2d b) { return dot(a - b, a - b); }
 
-// Squared distance of two ends: by their places in the figures' boxes, and beside the trunk, which a long neck or a spread
-// arm does not distort.
+// Squared distance of two ends: by their places in the figures' boxes, and beside the trunk, which a long
+// neck or a spread arm does not distort.
 double place_cost(const Problem& problem, std::size_t i, std::size_t j, const MappingOptions& options) {
     const Places &a = problem.places_a, &b = problem.places_b;
     const double in_box = options.position_weight * squared_distance(a.ends[i], b.ends[j]);
@@ -306,17 +309,19 @@ std::vector<int> by_bearing(std::vector<int> items, const Places& places) {
 
 // Legs that all stand below the body.
 bool below(const Places& places, const std::vector<int>& items) {
-    return std::all_of(items.begin(), items.end(), [&](int i) { return places.ends[i].y > places.middle.y + clearly_below; });
+    return std::all_of(items.begin(), items.end(),
+                       [&](int i) { return places.ends[i].y > places.middle.y + clearly_below; });
 }
 
 std::vector<int> from_left_to_right(std::vector<int> items, const Places& places) {
-    std::stable_sort(items.begin(), items.end(), [&](int a, int b) { return places.ends[a].x < places.ends[b].x; });
+    std::stable_sort(items.begin(), items.end(),
+                     [&](int a, int b) { return places.ends[a].x < places.ends[b].x; });
     return items;
 }
 
 // Puts the pairs of one label into the same cyclic order on both sides, at the rotation with the smallest
-// squared distances, or into the same order from left to right where all of them stand below the body: the legs of a figure then
-// keep their order from front to hind.
+// squared distances, or into the same order from left to right where all of them stand below the body: the
+// legs of a figure then keep their order from front to hind.
 void uncross(Label label, const Problem& problem, std::vector<int>& partner) {
     std::vector<int> rows, columns;
     for (int i = 0; i < std::ssize(partner); ++i)
@@ -364,8 +369,9 @@ void list_pairs(Mapping& mapping, const std::vector<int>& partner) {
 
 } // namespace
 
-Mapping map_end_effectors(const SkeletonGraph& graph, const LabelMap& labels, const ReferenceSkeleton& reference,
-                          const Candidate& match, const MappingOptions& options) {
+Mapping map_end_effectors(const SkeletonGraph& graph, const LabelMap& labels,
+                          const ReferenceSkeleton& reference, const Candidate& match,
+                          const MappingOptions& options) {
     const Figure character = make_figure(graph, foreground(labels));
     const Figure model = draw_reference(reference, match.mirrored);
     Mapping mapping;

@@ -3,8 +3,8 @@
 // Carsten Maple, Geometric design and space planning using the marching squares and marching cube algorithms,
 // 2003. Departures (ERRATA 21): positions on voxel edges interpolate the signed exact Euclidean distance,
 // unless the midpoint is asked for; the silhouette may be grown first; the cell shrinks until no limb splits
-// and no ring closes. Voxel corners that the border passes closely are moved onto it, so that no sliver is cut off, after:
-// F. Labelle, J. R. Shewchuk, Isosurface stuffing, 2007, section 3.
+// and no ring closes. Voxel corners that the border passes closely are moved onto it, so that no sliver is
+// cut off, after: F. Labelle, J. R. Shewchuk, Isosurface stuffing, 2007, section 3.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -119,14 +119,15 @@ private:
         int side = 0; // 1, −1, 0
         Point2d place;
     };
-    // The border's nearest crossing of an edge at the corner, if it is close and the silhouette, or the paper, goes on at the
-    // corner's other side: a thin limb stays, and so does a thin gap.
+    // The border's nearest crossing of an edge at the corner, if it is close and the silhouette, or the
+    // paper, goes on at the corner's other side: a thin limb stays, and so does a thin gap.
     Node node_at(Point2i p) const {
         const double v = field_(p.x, p.y);
         Node node{p, v > 0 ? 1 : -1, to_double(p)};
         double nearest = snap_;
         for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
-            const double across = field_(p.x + dx * cell_, p.y + dy * cell_), behind = field_(p.x - dx * cell_, p.y - dy * cell_);
+            const double across = field_(p.x + dx * cell_, p.y + dy * cell_),
+                         behind = field_(p.x - dx * cell_, p.y - dy * cell_);
             if ((across > 0) == (v > 0) || (behind > 0) != (v > 0)) continue;
             const double t = v / (v - across);
             if (t >= nearest) continue;
@@ -151,19 +152,21 @@ private:
     bool joined(int x, int y) const { return cell_ == 1 || field_(x + cell_ / 2, y + cell_ / 2) > 0; }
 
     void add_voxel(int x, int y) {
-        const std::array<Node, 4> nodes = {node_at({x, y}), node_at({x + cell_, y}), node_at({x + cell_, y + cell_}),
-                                           node_at({x, y + cell_})};
+        const std::array<Node, 4> nodes = {node_at({x, y}), node_at({x + cell_, y}),
+                                           node_at({x + cell_, y + cell_}), node_at({x, y + cell_})};
         if (std::none_of(nodes.begin(), nodes.end(), [](const Node& n) { return n.side > 0; })) return;
         std::vector<Corner> polygon;
         for (int i = 0; i < 4; ++i) {
             const Node &node = nodes[i], &next = nodes[(i + 1) % 4], &last = nodes[(i + 3) % 4];
-            const bool beyond = node.side == 0 && next.side < 0 && last.side < 0; // of a border that turns away
+            const bool beyond =
+                node.side == 0 && next.side < 0 && last.side < 0; // of a border that turns away
             if (node.side >= 0 && !beyond) polygon.push_back({corner_vertex(node), false});
             if (node.side * next.side < 0) polygon.push_back({edge_vertex(node.corner, next.corner), true});
         }
         if (polygon.size() < 3) return;
         std::uint8_t inside = 0;
-        for (int i = 0; i < 4; ++i) inside |= static_cast<std::uint8_t>((field_(nodes[i].corner.x, nodes[i].corner.y) > 0) << i);
+        for (int i = 0; i < 4; ++i)
+            inside |= static_cast<std::uint8_t>((field_(nodes[i].corner.x, nodes[i].corner.y) > 0) << i);
         const bool ambiguous = nodes[0].side == nodes[2].side && nodes[1].side == nodes[3].side &&
                                nodes[0].side * nodes[1].side < 0;
         if (ambiguous && !joined(x, y))
@@ -179,7 +182,8 @@ private:
     void add_two_triangles(const std::vector<Corner>& polygon, std::uint8_t inside) {
         const int n = static_cast<int>(polygon.size());
         for (int i = 0; i < n; ++i)
-            if (!polygon[i].on_edge) add_face({polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n]}, inside);
+            if (!polygon[i].on_edge)
+                add_face({polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n]}, inside);
     }
 
     const DistanceField& field_;
@@ -194,7 +198,8 @@ int floor_to(int value, int cell) {
     return (value >= 0 ? value / cell : -((-value + cell - 1) / cell)) * cell;
 }
 
-Mesh mesh_of(const DistanceField& field, const Mask& silhouette, int cell, int reach, const MeshOptions& options) {
+Mesh mesh_of(const DistanceField& field, const Mask& silhouette, int cell, int reach,
+             const MeshOptions& options) {
     const int start = floor_to(-reach - cell, cell);
     return MeshBuilder(field, cell, options)
         .build(start, start, silhouette.width() + reach, silhouette.height() + reach);

@@ -15,8 +15,8 @@ Point2i pixel_of(Point2d p, const Mask& grid) {
             std::clamp(static_cast<int>(std::rint(p.y)), 0, grid.height() - 1)};
 }
 
-// Dijkstra over pixels with a bucket for each cost (Dial 1969); ties by the pixel's index, so the result depends on the input
-// alone. Every step costs at least 5: a bucket is complete when its turn comes.
+// Dijkstra over pixels with a bucket for each cost (Dial 1969); ties by the pixel's index, so the result
+// depends on the input alone. Every step costs at least 5: a bucket is complete when its turn comes.
 class Flood {
 public:
     Flood(const Mask& silhouette, const LabelMap& labels)

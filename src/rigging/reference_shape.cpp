@@ -26,7 +26,9 @@ void fill_disc(Mask& mask, const Disc& disc) {
     const int reach = static_cast<int>(std::ceil(r));
     const int cx = static_cast<int>(std::floor(c.x)), cy = static_cast<int>(std::floor(c.y));
     for (int y = std::max(0, cy - reach); y <= std::min(canvas - 1, cy + reach + 1); ++y) {
-        const auto inside = [&, c = c, r = r](int x) { return (x - c.x) * (x - c.x) + (y - c.y) * (y - c.y) <= r * r; };
+        const auto inside = [&, c = c, r = r](int x) {
+            return (x - c.x) * (x - c.x) + (y - c.y) * (y - c.y) <= r * r;
+        };
         int left = std::max(0, cx - reach), right = std::min(canvas - 1, cx + reach + 1);
         while (left <= right && !inside(left)) ++left;
         while (left <= right && !inside(right)) --right;

@@ -19,7 +19,8 @@ namespace {
 
 constexpr double depth_step = 0.002; // world units between two parts in the draw order
 
-// The median edge along the axes: the cell, also when it was chosen automatically. Of Voronoi regions, whose edges are shorter, a pixel.
+// The median edge along the axes: the cell, also when it was chosen automatically. Of Voronoi regions, whose
+// edges are shorter, a pixel.
 double cell_of(const Mesh& mesh) {
     std::vector<double> lengths = {1};
     for (const auto& [u, v] : edges_of(mesh)) {
@@ -113,7 +114,8 @@ void rig_smoothly(Rig& rig, const SkeletonGraph& graph, const LabelMap& labels, 
 } // namespace
 
 Mesh make_mesh(const Mask& silhouette, const MeshOptions& options) {
-    return options.method == MeshMethod::voronoi_regions ? voronoi_mesh(silhouette, options.margin) : marching_squares(silhouette, options);
+    return options.method == MeshMethod::voronoi_regions ? voronoi_mesh(silhouette, options.margin)
+                                                         : marching_squares(silhouette, options);
 }
 
 Rig rig_with_mapping(const SkeletonGraph& graph, const LabelMap& labels, const ReferenceSkeleton& reference,
@@ -150,8 +152,7 @@ Rig rig(const SkeletonGraph& graph, const LabelMap& labels, const Identification
         std::find_if(identification.candidates.begin(), identification.candidates.end(),
                      [&](const Candidate& c) { return c.reference == identification.reference; });
     const Candidate candidate = match == identification.candidates.end() ? Candidate{} : *match;
-    const Mapping mapping =
-        map_end_effectors(graph, labels, *reference, candidate, options.mapping);
+    const Mapping mapping = map_end_effectors(graph, labels, *reference, candidate, options.mapping);
     return rig_with_mapping(graph, labels, *reference, candidate.mirrored, mapping, options);
 }
 

@@ -1,11 +1,13 @@
-// The mesh that thesis 4.6 rejects (Fig. 4.18(b)): the Voronoi regions of the border's pixels, as far as they lie inside.
+// The mesh that thesis 4.6 rejects (Fig. 4.18(b)): the Voronoi regions of the border's pixels, as far as they
+// lie inside.
 //
-// A region reaches from its site to the skeleton, so its faces are long and thin; they tear where the weights of neighbours
-// differ. It is here to show that, and as the diagram of section 4.4 used once more.
+// A region reaches from its site to the skeleton, so its faces are long and thin; they tear where the weights
+// of neighbours differ. It is here to show that, and as the diagram of section 4.4 used once more.
 //
-// Sites are the border pixels of the silhouette drawn twice as large: there no border passes a pixel twice, so borders are
-// simple polygons. Consecutive sites are one step apart, and the circle over a step has no lattice point inside: every step
-// is a Delaunay edge, no circumcentre lies beyond the border, and the regions fill the polygon exactly.
+// Sites are the border pixels of the silhouette drawn twice as large: there no border passes a pixel twice,
+// so borders are simple polygons. Consecutive sites are one step apart, and the circle over a step has no
+// lattice point inside: every step is a Delaunay edge, no circumcentre lies beyond the border, and the
+// regions fill the polygon exactly.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -18,15 +20,16 @@
 namespace pantin {
 namespace {
 
-// Every pixel becomes four. Where two of them touched at a corner alone, one pixel beside the corner is added (always above
-// it, so that additions never touch each other at a corner).
+// Every pixel becomes four. Where two of them touched at a corner alone, one pixel beside the corner is added
+// (always above it, so that additions never touch each other at a corner).
 Mask doubled(const Mask& mask) {
     Mask large(2 * mask.width(), 2 * mask.height());
     for (int y = 0; y < large.height(); ++y)
         for (int x = 0; x < large.width(); ++x) large(x, y) = mask(x / 2, y / 2) != 0;
     for (int y = 1; y < mask.height(); ++y)
         for (int x = 1; x < mask.width(); ++x) {
-            const bool upper_left = mask(x - 1, y - 1), upper_right = mask(x, y - 1), lower_left = mask(x - 1, y), lower_right = mask(x, y);
+            const bool upper_left = mask(x - 1, y - 1), upper_right = mask(x, y - 1),
+                       lower_left = mask(x - 1, y), lower_right = mask(x, y);
             if (upper_left && lower_right && !upper_right && !lower_left) large(2 * x, 2 * y - 1) = 1;
             if (upper_right && lower_left && !upper_left && !lower_right) large(2 * x - 1, 2 * y - 1) = 1;
         }
@@ -36,7 +39,8 @@ Mask doubled(const Mask& mask) {
 class RegionMesh {
 public:
     RegionMesh(const Triangulation& triangulation, int frame) : t_(triangulation), frame_(frame) {
-        for (const auto& [a, b, c] : t_.triangles) centres_.push_back(circumcentre(t_.points[a], t_.points[b], t_.points[c]));
+        for (const auto& [a, b, c] : t_.triangles)
+            centres_.push_back(circumcentre(t_.points[a], t_.points[b], t_.points[c]));
     }
 
     Mesh build() {
@@ -47,8 +51,9 @@ public:
     }
 
 private:
-    // The region of a corner of t whose next edge lies on the border: middle of that edge, the circumcentres of the triangles around
-    // the site, middle of the edge on which the border comes back; a fan about the site.
+    // The region of a corner of t whose next edge lies on the border: middle of that edge, the circumcentres
+    // of the triangles around the site, middle of the edge on which the border comes back; a fan about the
+    // site.
     void add_region(int t, int corner) {
         const int site = t_.triangles[t][corner];
         std::vector<Point2d> rim = {middle(site, t_.triangles[t][(corner + 1) % 3])};
@@ -60,7 +65,8 @@ private:
                 break;
             }
             t = next;
-            corner = static_cast<int>(std::find(t_.triangles[t].begin(), t_.triangles[t].end(), site) - t_.triangles[t].begin());
+            corner = static_cast<int>(std::find(t_.triangles[t].begin(), t_.triangles[t].end(), site) -
+                                      t_.triangles[t].begin());
         }
         const int hub = vertex(to_double(t_.points[site]));
         for (std::size_t i = 0; i + 1 < rim.size(); ++i) add_face(hub, vertex(rim[i]), vertex(rim[i + 1]));

@@ -35,7 +35,8 @@ int read_number(const WeightFile& file, const std::string& key, const std::strin
 }
 
 // count 0: any.
-std::vector<int> read_numbers(const WeightFile& file, const std::string& key, int min, int max, std::size_t count) {
+std::vector<int> read_numbers(const WeightFile& file, const std::string& key, int min, int max,
+                              std::size_t count) {
     const std::vector<std::string> items = split(file.metadata(key));
     if (count != 0 && items.size() != count)
         file.fail("metadata '" + key + "' needs " + std::to_string(count) + " numbers");
@@ -68,7 +69,8 @@ network::Convolution read_convolution(const WeightFile& file, const std::string&
     options.padding = shape.kernel / 2 * shape.dilation;
     options.relu = shape.relu;
     const std::string conv = name + ".conv";
-    if (file.shape(conv + ".weight") != std::vector<std::int64_t>{shape.out, shape.in, shape.kernel, shape.kernel})
+    if (file.shape(conv + ".weight") !=
+        std::vector<std::int64_t>{shape.out, shape.in, shape.kernel, shape.kernel})
         file.fail("tensor '" + conv + ".weight' has another shape than the metadata says");
     return network::LayerReader{file}.convolution(conv, name + ".norm", shape.in, options);
 }
@@ -102,7 +104,8 @@ Expert read_expert(const WeightFile& file, const std::string& name, const Layout
     network::ConvolutionOptions doubling;
     doubling.stride = 2;
     const network::LayerReader reader{file};
-    if (reader.extent(name + ".logits.weight", 4, 1) != label_count || reader.extent(name + ".logits.weight", 4, 2) != 2 ||
+    if (reader.extent(name + ".logits.weight", 4, 1) != label_count ||
+        reader.extent(name + ".logits.weight", 4, 2) != 2 ||
         reader.extent(name + ".logits.weight", 4, 3) != 2)
         file.fail("tensor '" + name + ".logits.weight' does not make six labels at twice the size");
     Expert expert{{}, {}, reader.transposed_convolution(name + ".logits", layout.decoder.back(), doubling)};
@@ -113,9 +116,11 @@ Expert read_expert(const WeightFile& file, const std::string& name, const Layout
     for (std::size_t i = 0; i < layout.decoder.size(); ++i) {
         const int skip = layout.widths[stages - 2 - i], out = layout.decoder[i];
         const std::string number = std::to_string(stages - 1 - i);
-        Expert::Stage stage{{read_convolution(file, name + ".up" + number, {.in = width + skip, .out = out})}, {}};
+        Expert::Stage stage{{read_convolution(file, name + ".up" + number, {.in = width + skip, .out = out})},
+                            {}};
         for (int k = 0; k < layout.refine[i]; ++k)
-            stage.refine.push_back(read_residual(file, name + ".refine" + number + "." + std::to_string(k), out));
+            stage.refine.push_back(
+                read_residual(file, name + ".refine" + number + "." + std::to_string(k), out));
         expert.decoder.push_back(std::move(stage));
         width = out;
     }

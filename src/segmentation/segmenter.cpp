@@ -16,17 +16,18 @@ namespace {
 long border_length(const Mask& region) {
     long count = 0;
     for (int y = 0; y < region.height(); ++y)
-        for (int x = 0; x < region.width(); ++x)
-            count += on_border(region, x, y);
+        for (int x = 0; x < region.width(); ++x) count += on_border(region, x, y);
     return count;
 }
 
 // Half of the ink's border is its strokes' length.
 double stroke_ratio(const Grid<float>& ink, const Mask& silhouette) {
     Mask strokes(ink.width(), ink.height());
-    std::transform(ink.begin(), ink.end(), strokes.begin(), [](float darkness) { return darkness >= 1.0f / 3; });
+    std::transform(ink.begin(), ink.end(), strokes.begin(),
+                   [](float darkness) { return darkness >= 1.0f / 3; });
     const long outline = border_length(silhouette);
-    return outline == 0 ? 0 : 0.5 * static_cast<double>(border_length(strokes)) / static_cast<double>(outline);
+    return outline == 0 ? 0
+                        : 0.5 * static_cast<double>(border_length(strokes)) / static_cast<double>(outline);
 }
 
 } // namespace

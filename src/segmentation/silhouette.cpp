@@ -174,15 +174,16 @@ Mask smooth(const Mask& mask) {
     });
 }
 
-// The pen's outer half, where the network sees background. What an opening by twice the rim would lose is thin.
+// The pen's outer half, where the network sees background. What an opening by twice the rim would lose is
+// thin.
 Mask trim_rim(const Mask& mask, const Grid<float>& foreground, const SilhouetteOptions& options,
               double longer_side) {
     const double rim = options.rim * longer_side;
     const Mask bulk = open_disc(mask, 2 * rim);
     const Grid<int> squared = squared_distance_transform(pad(mask, 1));
     return where(mask, [&](int x, int y) {
-        const bool trimmed = bulk(x, y) && squared(x + 1, y + 1) <= rim * rim &&
-                             foreground(x, y) < options.rim_probability;
+        const bool trimmed =
+            bulk(x, y) && squared(x + 1, y + 1) <= rim * rim && foreground(x, y) < options.rim_probability;
         return mask(x, y) && !trimmed;
     });
 }

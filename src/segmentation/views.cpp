@@ -118,7 +118,8 @@ Tilt tilt_of(const Tensor& ink, double degrees) {
     if (left > right) return {};
     const double scale = filled * ink.width() / (std::max(right - left, bottom - top) + 1);
     const double middle = 0.5 * (ink.width() - 1);
-    return {scale * c, scale * s, middle - scale * 0.5 * (left + right), middle - scale * 0.5 * (top + bottom)};
+    return {scale * c, scale * s, middle - scale * 0.5 * (left + right),
+            middle - scale * 0.5 * (top + bottom)};
 }
 
 Tensor tilted(const Tensor& ink, const Tilt& tilt) {

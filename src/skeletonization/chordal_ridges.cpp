@@ -1,16 +1,21 @@
-// The chordal axis: L. Prasad, "Morphological analysis of shapes", 1997; with finely and evenly sampled outlines as in P. Borosán
-// et al., "RigMesh: automatic rigging for part-based shape modeling and deformation", 2012, so that the triangles between the two
-// sides of a limb are needles and lie across it.
+// The chordal axis: L. Prasad, "Morphological analysis of shapes", 1997; with finely and evenly sampled
+// outlines as in P. Borosán et al., "RigMesh: automatic rigging for part-based shape modeling and
+// deformation", 2012, so that the triangles between the two sides of a limb are needles and lie across it.
 //
-// A triangle of the constrained Delaunay triangulation of the outline is terminal, a sleeve or a junction when two, one or none
-// of its edges are the outline's. The axis joins the midpoints of the other edges, the chords, through the centre of a junction;
-// a terminal triangle has none of it. Every corner of the outline makes a branch, so:
-// 1. All behind a chord goes whose outline is hardly longer than the chord: the chord residual of R. Ogniewicz, M. Ilg, "Voronoi
-//    skeletons: theory and applications", 1992, which the Voronoi skeleton goes by, too. It grows on every way inwards, so that
-//    going triangle by triangle from the terminal ones finds all of it; a cycle never opens.
-// 2. That shortens thin limbs. They get back the branch with the most outline as far as it is longer than twice its chord, which
-//    is half a width before a blunt tip, and up to where it forks. (T. Igarashi et al., "Teddy: a sketching interface for 3D
-//    freeform design", 1999, prunes what lies in the half disc over a chord.) A head does not grow back into its hair.
+// A triangle of the constrained Delaunay triangulation of the outline is terminal, a sleeve or a junction
+// when two, one or none of its edges are the outline's. The axis joins the midpoints of the other edges, the
+// chords, through the centre of a junction; a terminal triangle has none of it. Every corner of the outline
+// makes a branch, so:
+// 1. All behind a chord goes whose outline is hardly longer than the chord: the chord residual of R.
+// Ogniewicz, M. Ilg, "Voronoi
+//    skeletons: theory and applications", 1992, which the Voronoi skeleton goes by, too. It grows on every
+//    way inwards, so that going triangle by triangle from the terminal ones finds all of it; a cycle never
+//    opens.
+// 2. That shortens thin limbs. They get back the branch with the most outline as far as it is longer than
+// twice its chord, which
+//    is half a width before a blunt tip, and up to where it forks. (T. Igarashi et al., "Teddy: a sketching
+//    interface for 3D freeform design", 1999, prunes what lies in the half disc over a chord.) A head does
+//    not grow back into its hair.
 #include "skeletonization/chordal_ridges.hpp"
 
 #include <algorithm>
@@ -27,9 +32,11 @@
 namespace pantin {
 namespace {
 
-constexpr double blunt = 2;          // outline by chord of a tip without an axis; of a half disc it is π/2, of a half square 2
-constexpr double forked = 0.5;       // share of the larger branch from which on the smaller one counts
-constexpr int smoothing_rounds = 60; // of steps of half a pixel to one: a mean over three to five pixels to each side
+constexpr double blunt =
+    2; // outline by chord of a tip without an axis; of a half disc it is π/2, of a half square 2
+constexpr double forked = 0.5; // share of the larger branch from which on the smaller one counts
+constexpr int smoothing_rounds =
+    60; // of steps of half a pixel to one: a mean over three to five pixels to each side
 
 struct Axis {
     std::vector<Point2d> nodes;
@@ -54,8 +61,8 @@ Point2i pixel_at(Point2d p) { return {static_cast<int>(std::rint(p.x)), static_c
 
 bool inside(const Mask& mask, Point2i p) { return mask.value_or(p.x, p.y, 0) != 0; }
 
-// Chords are not quite at right angles to the limb, so that their midpoints waver; Laplacian smoothing follows. Ends and
-// junctions stay, and a cycle does not shrink into its hole.
+// Chords are not quite at right angles to the limb, so that their midpoints waver; Laplacian smoothing
+// follows. Ends and junctions stay, and a cycle does not shrink into its hole.
 void smooth(Axis& axis, const Mask& mask) {
     std::vector<int> degrees(axis.nodes.size());
     for (const auto& [a, b] : axis.edges) ++degrees[a], ++degrees[b];
@@ -88,7 +95,8 @@ public:
             const int leaf = leaves.back();
             leaves.pop_back();
             const int side = way_on(leaf);
-            if (side < 0 || outline_[leaf] - length_of(leaf, side) >= least_residual) continue; // none: two tips have met
+            if (side < 0 || outline_[leaf] - length_of(leaf, side) >= least_residual)
+                continue; // none: two tips have met
             const int next = links_[leaf][side];
             links_[leaf][side] = links_[next][side_between(next, leaf)] = -1;
             outline_[next] += outline_[leaf];
@@ -114,13 +122,15 @@ public:
         for (int t = 0; t < count(); ++t)
             for (int side = 0; side < 3; ++side) {
                 const int n = links_[t][side];
-                middles[t][side] = n < 0   ? -1
-                                   : n < t ? middles[n][side_between(n, t)]
-                                           : result.add(0.5 / outline_units * (corner(t, side + 1) + corner(t, side + 2)));
+                middles[t][side] =
+                    n < 0   ? -1
+                    : n < t ? middles[n][side_between(n, t)]
+                            : result.add(0.5 / outline_units * (corner(t, side + 1) + corner(t, side + 2)));
             }
         for (int t = 0; t < count(); ++t) {
             std::vector<int> ends;
-            std::copy_if(middles[t].begin(), middles[t].end(), std::back_inserter(ends), [](int node) { return node >= 0; });
+            std::copy_if(middles[t].begin(), middles[t].end(), std::back_inserter(ends),
+                         [](int node) { return node >= 0; });
             if (ends.size() == 2) result.join(ends[0], ends[1]);
             if (ends.size() < 3) continue;
             const int middle = result.add(1.0 / outline_units * centre(t));
@@ -131,10 +141,13 @@ public:
 
 private:
     int count() const { return static_cast<int>(links_.size()); }
-    Point2d corner(int t, int i) const { return to_double(triangulation_.points[triangulation_.triangles[t][i % 3]]); }
+    Point2d corner(int t, int i) const {
+        return to_double(triangulation_.points[triangulation_.triangles[t][i % 3]]);
+    }
     double length_of(int t, int side) const { return distance(corner(t, side + 1), corner(t, side + 2)); }
     int degree(int t) const {
-        return static_cast<int>(std::count_if(links_[t].begin(), links_[t].end(), [](int n) { return n >= 0; }));
+        return static_cast<int>(
+            std::count_if(links_[t].begin(), links_[t].end(), [](int n) { return n >= 0; }));
     }
     std::vector<int> all_leaves() const {
         std::vector<int> leaves;
@@ -153,7 +166,8 @@ private:
             if (links_[leaf][side] >= 0) return side;
         return -1;
     }
-    // The side of a leaf behind which the most was cut off; −1 when nothing was, or as much behind another one.
+    // The side of a leaf behind which the most was cut off; −1 when nothing was, or as much behind another
+    // one.
     int way_out(int leaf) const {
         int best = -1;
         double most = 0, second = 0;
@@ -167,8 +181,8 @@ private:
         return second > forked * most ? -1 : best;
     }
 
-    // The circumcentre where it lies inside, else the midpoint of the longest side, which is what it reaches as the junction
-    // becomes obtuse: the axis does not jump.
+    // The circumcentre where it lies inside, else the midpoint of the longest side, which is what it reaches
+    // as the junction becomes obtuse: the axis does not jump.
     Point2d centre(int t) const {
         const Point2d a = corner(t, 0), u = corner(t, 1) - a, v = corner(t, 2) - a;
         for (int i = 0; i < 3; ++i) {

@@ -1,5 +1,6 @@
-// The corners are the midpoints of the sides between a pixel of the mask and one outside, joined as marching squares joins them
-// (an 8-connected mask), then smoothed. The borders of follow_borders would not do: they pass lines of one pixel's width twice.
+// The corners are the midpoints of the sides between a pixel of the mask and one outside, joined as marching
+// squares joins them (an 8-connected mask), then smoothed. The borders of follow_borders would not do: they
+// pass lines of one pixel's width twice.
 #include "skeletonization/outline.hpp"
 
 #include <array>
@@ -12,8 +13,9 @@ namespace pantin {
 namespace {
 
 constexpr int reach = 3; // corners to each side that the mean takes
-// Pixels that a corner moves at most. Two edges without a common corner are at least √½ apart, and so are a corner and the edge
-// before the last: with less than half of that from each, rounding included, nothing can touch.
+// Pixels that a corner moves at most. Two edges without a common corner are at least √½ apart, and so are a
+// corner and the edge before the last: with less than half of that from each, rounding included, nothing can
+// touch.
 constexpr double farthest_move = 0.3;
 
 // The side of `pixel` that faces `side`, 0 to 3 from the north clockwise.
@@ -53,10 +55,12 @@ std::vector<Point2i> smooth(const std::vector<Point2d>& loop) {
     std::vector<Point2i> result;
     for (int i = 0; i < count; ++i) {
         Point2d sum;
-        for (int k = -reach; k <= reach; ++k) sum = sum + loop[static_cast<std::size_t>((i + k + reach * count) % count)];
+        for (int k = -reach; k <= reach; ++k)
+            sum = sum + loop[static_cast<std::size_t>((i + k + reach * count) % count)];
         const Point2d at = loop[static_cast<std::size_t>(i)], move = (1.0 / (2 * reach + 1)) * sum - at;
         const double size = length(move);
-        const Point2d to = static_cast<double>(outline_units) * (at + (size > farthest_move ? farthest_move / size : 1) * move);
+        const Point2d to = static_cast<double>(outline_units) *
+                           (at + (size > farthest_move ? farthest_move / size : 1) * move);
         result.push_back({static_cast<int>(std::rint(to.x)), static_cast<int>(std::rint(to.y))});
     }
     return result;

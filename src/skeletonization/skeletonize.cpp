@@ -1,4 +1,5 @@
-// Step 3 as a whole (thesis 4.4): silhouette → borders → Voronoi skeleton (or another one) → thinning → graph → heuristics.
+// Step 3 as a whole (thesis 4.4): silhouette → borders → Voronoi skeleton (or another one) → thinning → graph
+// → heuristics.
 #include "pantin/skeletonization.hpp"
 
 #include <algorithm>
@@ -17,7 +18,8 @@ namespace {
 
 constexpr double reference_side = 321; // pixel constants of the thesis hold at this size
 constexpr double lowest_threshold = 7; // at that size; below it the skeleton shows the pen, not the shape
-constexpr long most_border_points = 100'000; // a drawing has some thousand; each is a site of the Voronoi diagram
+constexpr long most_border_points =
+    100'000; // a drawing has some thousand; each is a site of the Voronoi diagram
 
 long area(const Mask& mask) { return std::count(mask.begin(), mask.end(), 1); }
 
@@ -52,14 +54,20 @@ void find_voronoi(Skeletonization& s, const BorderSites& sites, Residual residua
     }
 }
 
-bool takes_threshold(SkeletonMethod method) { return method == SkeletonMethod::voronoi || method == SkeletonMethod::chordal; }
+bool takes_threshold(SkeletonMethod method) {
+    return method == SkeletonMethod::voronoi || method == SkeletonMethod::chordal;
+}
 
 Mask ridges_of(const Skeletonization& s, const BorderSites& sites, double threshold, SkeletonMethod method) {
     switch (method) {
-    case SkeletonMethod::voronoi: return rasterise(s.voronoi, s.residuals, sites, s.mask, threshold);
-    case SkeletonMethod::straight: return straight_ridges(s.contour, s.mask);
-    case SkeletonMethod::chordal: return chordal_ridges(s.mask, threshold);
-    case SkeletonMethod::thinning: break;
+    case SkeletonMethod::voronoi:
+        return rasterise(s.voronoi, s.residuals, sites, s.mask, threshold);
+    case SkeletonMethod::straight:
+        return straight_ridges(s.contour, s.mask);
+    case SkeletonMethod::chordal:
+        return chordal_ridges(s.mask, threshold);
+    case SkeletonMethod::thinning:
+        break;
     }
     return s.mask;
 }
@@ -97,7 +105,8 @@ Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions
     long points = 0;
     for (const Border& border : s.contour) points += static_cast<long>(border.points.size());
     if (points > most_border_points)
-        throw CharacterRejected("skeletonize", "the silhouette's border has " + std::to_string(points) + " points; the limit is " +
+        throw CharacterRejected("skeletonize", "the silhouette's border has " + std::to_string(points) +
+                                                   " points; the limit is " +
                                                    std::to_string(most_border_points));
     const BorderSites sites = border_sites(s.contour, s.mask.width(), s.mask.height());
     if (options.method == SkeletonMethod::voronoi) find_voronoi(s, sites, options.residual);

@@ -42,7 +42,8 @@ Mask straight_ridges(const std::vector<Border>& borders, const Mask& mask) {
     const int corners = static_cast<int>(skeleton.corners.size());
     for (const StraightSkeleton::Arc& arc : skeleton.arcs) {
         if (arc.from < corners) continue;
-        for (const Point2i p : straight_line(pixel_at(skeleton.nodes[arc.from].place), pixel_at(skeleton.nodes[arc.to].place)))
+        for (const Point2i p :
+             straight_line(pixel_at(skeleton.nodes[arc.from].place), pixel_at(skeleton.nodes[arc.to].place)))
             if (mask.value_or(p.x, p.y, 0)) ridges(p.x, p.y) = 1;
     }
     return ridges;

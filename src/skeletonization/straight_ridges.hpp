@@ -5,7 +5,8 @@
 
 namespace pantin {
 
-// The arcs that do not begin at a corner of the simplified borders (one pixel of tolerance; borders without area are left out).
+// The arcs that do not begin at a corner of the simplified borders (one pixel of tolerance; borders without
+// area are left out).
 Mask straight_ridges(const std::vector<Border>& borders, const Mask& mask);
 
 } // namespace pantin

@@ -27,9 +27,11 @@ std::string shown(const Json& value) {
     return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-void walk(Differences& differences, const std::string& place, const Json& first, const Json& second, int depth);
+void walk(Differences& differences, const std::string& place, const Json& first, const Json& second,
+          int depth);
 
-void walk_objects(Differences& differences, const std::string& place, const Json& first, const Json& second, int depth) {
+void walk_objects(Differences& differences, const std::string& place, const Json& first, const Json& second,
+                  int depth) {
     const std::string before = place.empty() ? "" : place + ".";
     for (const auto& [key, value] : first.items()) {
         const auto other = second.find(key);
@@ -42,16 +44,21 @@ void walk_objects(Differences& differences, const std::string& place, const Json
         if (!first.contains(key)) differences.text(before + key, "missing", shown(value));
 }
 
-void walk_arrays(Differences& differences, const std::string& place, const Json& first, const Json& second, int depth) {
+void walk_arrays(Differences& differences, const std::string& place, const Json& first, const Json& second,
+                 int depth) {
     if (first.size() != second.size()) differences.text(place, shown(first), shown(second));
     for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i)
         walk(differences, place + "[" + std::to_string(i) + "]", first[i], second[i], depth + 1);
 }
 
-void walk(Differences& differences, const std::string& place, const Json& first, const Json& second, int depth) {
-    if (first.is_number() && second.is_number()) return differences.number(place, first.get<double>(), second.get<double>());
-    if (depth > deepest) return differences.text(place.substr(0, most_shown), "nested too deeply", "nested too deeply");
-    if (first.is_object() && second.is_object()) return walk_objects(differences, place, first, second, depth);
+void walk(Differences& differences, const std::string& place, const Json& first, const Json& second,
+          int depth) {
+    if (first.is_number() && second.is_number())
+        return differences.number(place, first.get<double>(), second.get<double>());
+    if (depth > deepest)
+        return differences.text(place.substr(0, most_shown), "nested too deeply", "nested too deeply");
+    if (first.is_object() && second.is_object())
+        return walk_objects(differences, place, first, second, depth);
     if (first.is_array() && second.is_array()) return walk_arrays(differences, place, first, second, depth);
     if (first != second) differences.text(place, shown(first), shown(second));
 }
@@ -71,7 +78,8 @@ bool to_number(std::string_view word, double& number) {
     return result.ec == std::errc() && result.ptr == word.data() + word.size() && std::isfinite(number);
 }
 
-void compare_lines(Differences& differences, const std::string& line, std::string_view first, std::string_view second) {
+void compare_lines(Differences& differences, const std::string& line, std::string_view first,
+                   std::string_view second) {
     const std::vector<std::string_view> a = split(first, " \t\r"), b = split(second, " \t\r");
     if (a.size() != b.size()) return differences.text(line, std::string(first), std::string(second));
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -88,7 +96,9 @@ void compare_lines(Differences& differences, const std::string& line, std::strin
 
 void Differences::add(const std::string& place, const std::string& first, const std::string& second) {
     if (found_.values++ > 0) return;
-    const auto cut = [](const std::string& text) { return text.size() > most_shown ? text.substr(0, most_shown) + "..." : text; };
+    const auto cut = [](const std::string& text) {
+        return text.size() > most_shown ? text.substr(0, most_shown) + "..." : text;
+    };
     found_.place = place;
     found_.first = cut(first);
     found_.second = cut(second);
@@ -103,9 +113,12 @@ void Differences::number(const std::string& place, double first, double second) 
     found_.largest_place = place;
 }
 
-void Differences::text(const std::string& place, const std::string& first, const std::string& second) { add(place, first, second); }
+void Differences::text(const std::string& place, const std::string& first, const std::string& second) {
+    add(place, first, second);
+}
 
-void compare_json(Differences& differences, const std::string& name, const std::string& first, const std::string& second) {
+void compare_json(Differences& differences, const std::string& name, const std::string& first,
+                  const std::string& second) {
     walk(differences, "", parse_json(first, name), parse_json(second, name), 0);
 }
 
@@ -119,9 +132,11 @@ void compare_words(Differences& differences, const std::string& first, const std
 
 void compare_bytes(Differences& differences, const std::string& first, const std::string& second) {
     for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i)
-        differences.number("byte " + std::to_string(i), static_cast<unsigned char>(first[i]), static_cast<unsigned char>(second[i]));
+        differences.number("byte " + std::to_string(i), static_cast<unsigned char>(first[i]),
+                           static_cast<unsigned char>(second[i]));
     if (first.size() != second.size())
-        differences.text("", std::to_string(first.size()) + " bytes", std::to_string(second.size()) + " bytes");
+        differences.text("", std::to_string(first.size()) + " bytes",
+                         std::to_string(second.size()) + " bytes");
 }
 
 } // namespace pantin

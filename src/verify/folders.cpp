@@ -16,13 +16,15 @@ namespace fs = std::filesystem;
 
 constexpr const char* other_files = "other files";
 
-// Files of `animate`, `model` and `render` that verification has no stage for: what their names begin and end with.
+// Files of `animate`, `model` and `render` that verification has no stage for: what their names begin and end
+// with.
 struct NamedFiles {
     std::string_view begin, end, stage;
 };
 constexpr NamedFiles more_files[] = {
-    {"animation", ".bvh", "animate"}, {"animation", "", "render"},   {"scene", "", "render"},      {"skeletons", "", "skeletonize"},
-    {"probability-", ".png", "segment"}, {"views.png", "", "unite"}, {"model.", "", "bone heat"},
+    {"animation", ".bvh", "animate"}, {"animation", "", "render"},         {"scene", "", "render"},
+    {"skeletons", "", "skeletonize"}, {"probability-", ".png", "segment"}, {"views.png", "", "unite"},
+    {"model.", "", "bone heat"},
 };
 
 // The file's path without the folders above the character's own.
@@ -54,8 +56,10 @@ std::map<std::string, fs::path> files_below(const fs::path& folder) {
     std::error_code error;
     if (!fs::is_directory(folder, error)) throw Error(ErrorKind::input, folder.string() + ": no such folder");
     std::map<std::string, fs::path> files;
-    for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-        if (entry->is_regular_file(error)) files[fs::path(entry->path()).lexically_relative(folder).generic_string()] = entry->path();
+    for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error))
+        if (entry->is_regular_file(error))
+            files[fs::path(entry->path()).lexically_relative(folder).generic_string()] = entry->path();
     if (error) throw Error(ErrorKind::input, folder.string() + ": cannot be read");
     if (files.empty()) throw Error(ErrorKind::input, folder.string() + ": holds no files");
     return files;

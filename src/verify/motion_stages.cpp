@@ -12,8 +12,9 @@ namespace pantin {
 namespace {
 
 const std::string labels_file = character_path + "labels.png", graph_file = character_path + "skeleton.json",
-                  identification_file = character_path + "identification.json", mapping_file = character_path + "mapping.json",
-                  mesh_file = trace_path + "mesh.json", bones_file = trace_path + "bones.json", weights_file = character_path + "weights.txt",
+                  identification_file = character_path + "identification.json",
+                  mapping_file = character_path + "mapping.json", mesh_file = trace_path + "mesh.json",
+                  bones_file = trace_path + "bones.json", weights_file = character_path + "weights.txt",
                   depths_file = trace_path + "depths.json", animations_file = trace_path + "animations.json",
                   posed_file = trace_path + "posed.json";
 constexpr double posed_share = 0.3; // of the first clip's duration: a pose that is no key pose
@@ -29,22 +30,24 @@ struct Decision {
 Decision decision_of(const StageContext& c, const SkeletonGraph& graph) {
     const Identification found =
         identification_from_json(c.text(identification_file), identification_file, graph, c.references);
-    const auto reference = std::find_if(c.references.begin(), c.references.end(),
-                                        [&](const ReferenceSkeleton& r) { return r.name == found.reference; });
+    const auto reference =
+        std::find_if(c.references.begin(), c.references.end(),
+                     [&](const ReferenceSkeleton& r) { return r.name == found.reference; });
     const auto candidate = std::find_if(found.candidates.begin(), found.candidates.end(),
                                         [&](const Candidate& k) { return k.reference == found.reference; });
     return {*reference, *candidate}; // the reader has checked both
 }
 
 Files identify_character(const StageContext& c) {
-    return {{identification_file, identification_to_json(identify(graph_of(c), c.grey(labels_file), c.references, c.options.identification))}};
+    return {{identification_file, identification_to_json(identify(graph_of(c), c.grey(labels_file),
+                                                                  c.references, c.options.identification))}};
 }
 
 Files map_ends(const StageContext& c) {
     const SkeletonGraph graph = graph_of(c);
     const Decision decision = decision_of(c, graph);
-    const Mapping mapping =
-        map_end_effectors(graph, c.grey(labels_file), decision.reference, decision.candidate, c.options.rigging.mapping);
+    const Mapping mapping = map_end_effectors(graph, c.grey(labels_file), decision.reference,
+                                              decision.candidate, c.options.rigging.mapping);
     return {{mapping_file, mapping_to_json(mapping)}};
 }
 
@@ -52,7 +55,8 @@ Rig rigged(const StageContext& c) {
     const SkeletonGraph graph = graph_of(c);
     const Decision decision = decision_of(c, graph);
     const Mapping mapping = mapping_from_json(c.text(mapping_file), mapping_file, graph, decision.reference);
-    return rig_with_mapping(graph, c.grey(labels_file), decision.reference, decision.candidate.mirrored, mapping, c.options.rigging);
+    return rig_with_mapping(graph, c.grey(labels_file), decision.reference, decision.candidate.mirrored,
+                            mapping, c.options.rigging);
 }
 
 Files mesh(const StageContext& c) { return {{mesh_file, mesh_to_json(rigged(c))}}; }
@@ -62,15 +66,20 @@ Files weights(const StageContext& c) {
     return {{weights_file, to_weights_text(rig)}, {depths_file, depths_to_json(rig)}};
 }
 
-// --- the rig at hand -------------------------------------------------------------------------------------------
+// --- the rig at hand
+// -------------------------------------------------------------------------------------------
 
 Rig rig_of(const StageContext& c) {
     return rig_from_files(c.text(mesh_file), c.text(bones_file), c.text(weights_file), c.text(depths_file));
 }
 
-std::vector<BoneAnimation> animations_of(const StageContext& c) { return animations_from_json(c.text(animations_file), animations_file); }
+std::vector<BoneAnimation> animations_of(const StageContext& c) {
+    return animations_from_json(c.text(animations_file), animations_file);
+}
 
-RgbaImage texture_of(const StageContext& c) { return make_texture(c.picture(character_path + "drawing.png"), c.grey(labels_file)); }
+RgbaImage texture_of(const StageContext& c) {
+    return make_texture(c.picture(character_path + "drawing.png"), c.grey(labels_file));
+}
 
 Files animate_bones(const StageContext& c) {
     const Rig rig = rig_of(c);
@@ -90,8 +99,8 @@ Files render_pose(const StageContext& c) {
     const Rig rig = rig_of(c);
     RenderOptions options;
     options.size = frame_size;
-    const RgbaImage frame =
-        render_frame(rig, places_from_json(c.text(posed_file), posed_file), texture_of(c), view_of(rig, animations_of(c)), options);
+    const RgbaImage frame = render_frame(rig, places_from_json(c.text(posed_file), posed_file), texture_of(c),
+                                         view_of(rig, animations_of(c)), options);
     return {{trace_path + "frame.png", png(frame)}};
 }
 
@@ -119,9 +128,14 @@ std::vector<Stage> motion_stages() {
         {"weights", for_rig, {weights_file, depths_file}, weights},
         {"animate", with(rig, {identification_file, graph_file}), {animations_file}, animate_bones},
         {"skin", with(rig, {animations_file}), {posed_file}, pose},
-        {"render", with(rig, {animations_file, posed_file, character_path + "drawing.png", labels_file}), {trace_path + "frame.png"}, render_pose},
-        {"export", with(rig, {animations_file, character_path + "drawing.png", labels_file}),
-         {character_path + "mesh.obj", character_path + "mesh.mtl", character_path + "character.glb"}, export_files},
+        {"render",
+         with(rig, {animations_file, posed_file, character_path + "drawing.png", labels_file}),
+         {trace_path + "frame.png"},
+         render_pose},
+        {"export",
+         with(rig, {animations_file, character_path + "drawing.png", labels_file}),
+         {character_path + "mesh.obj", character_path + "mesh.mtl", character_path + "character.glb"},
+         export_files},
     };
 }
 

@@ -17,7 +17,8 @@ std::string row(std::string line, const std::vector<std::string>& cells, std::si
     return line + "\n";
 }
 
-std::string described(const FileDifference& d, const std::string& one, const std::string& between, const std::string& other) {
+std::string described(const FileDifference& d, const std::string& one, const std::string& between,
+                      const std::string& other) {
     std::string text = d.file + ": " + (d.place.empty() ? "" : d.place + ": ") + one + between + other;
     if (d.values < 2) return text;
     text += "; " + std::to_string(d.values) + " values differ";
@@ -25,10 +26,11 @@ std::string described(const FileDifference& d, const std::string& one, const std
     return text;
 }
 
-const StageDifferences* find(const Verification& verification, const std::string& stage, const std::string& drawing) {
-    const auto found = std::find_if(verification.results.begin(), verification.results.end(), [&](const StageDifferences& r) {
-        return r.stage == stage && r.drawing == drawing;
-    });
+const StageDifferences* find(const Verification& verification, const std::string& stage,
+                             const std::string& drawing) {
+    const auto found =
+        std::find_if(verification.results.begin(), verification.results.end(),
+                     [&](const StageDifferences& r) { return r.stage == stage && r.drawing == drawing; });
     return found == verification.results.end() ? nullptr : &*found;
 }
 
@@ -46,11 +48,13 @@ std::string verification_table(const Verification& verification) {
             if (!result) continue;
             ++checked;
             equal += result->files.empty();
-            for (const FileDifference& d : result->files) below += stage + ": " + described(d, d.second, ", stored ", d.first) + "\n";
+            for (const FileDifference& d : result->files)
+                below += stage + ": " + described(d, d.second, ", stored ", d.first) + "\n";
         }
         text += row(stage, cells, width);
     }
-    return text + below + std::to_string(equal) + " of " + std::to_string(checked) + " agree, digest " + verification.digest;
+    return text + below + std::to_string(equal) + " of " + std::to_string(checked) + " agree, digest " +
+           verification.digest;
 }
 
 std::string comparison_table(const FolderComparison& comparison) {
@@ -59,7 +63,8 @@ std::string comparison_table(const FolderComparison& comparison) {
     for (const StageDifferences& stage : comparison.stages) {
         text += stage.stage + "\n";
         files += stage.files.size();
-        for (const FileDifference& d : stage.files) text += "  " + described(d, d.first, " and ", d.second) + "\n";
+        for (const FileDifference& d : stage.files)
+            text += "  " + described(d, d.first, " and ", d.second) + "\n";
     }
     return text + std::to_string(files) + " of " + std::to_string(comparison.files) + " files differ";
 }

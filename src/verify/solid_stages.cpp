@@ -1,4 +1,5 @@
-// The modeling room: the parts of a drawing to strokes, a skeleton in space, an inflated part, one closed surface and its weights.
+// The modeling room: the parts of a drawing to strokes, a skeleton in space, an inflated part, one closed
+// surface and its weights.
 #include "pantin/export.hpp"
 #include "pantin/model_view.hpp"
 #include "pipeline/solid.hpp"
@@ -9,12 +10,14 @@ namespace pantin {
 
 namespace {
 
-const std::string labels_file = character_path + "labels.png", strokes_file = model_path + "strokes.json", model_file = model_path + "model.json",
-                  solid_file = model_path + "solid.json";
+const std::string labels_file = character_path + "labels.png", strokes_file = model_path + "strokes.json",
+                  model_file = model_path + "model.json", solid_file = model_path + "solid.json";
 
 Strokes strokes_of(const StageContext& c) { return strokes_from_json(c.text(strokes_file), strokes_file); }
 
-Files strokes(const StageContext& c) { return {{strokes_file, strokes_to_json(strokes_from_labels(c.grey(labels_file)))}}; }
+Files strokes(const StageContext& c) {
+    return {{strokes_file, strokes_to_json(strokes_from_labels(c.grey(labels_file)))}};
+}
 
 Files model_skeleton(const StageContext& c) {
     const LabelMap labels = c.grey(labels_file);
@@ -27,10 +30,13 @@ Files model_skeleton(const StageContext& c) {
 // Of the first part, the body.
 Files inflation(const StageContext& c) {
     const PartStroke body = std::get<PartStroke>(strokes_of(c).calls.at(0));
-    return {{model_path + "inflation.json", inflation_to_json(inflate(body.stroke, c.options.modeling.inflation))}};
+    return {{model_path + "inflation.json",
+             inflation_to_json(inflate(body.stroke, c.options.modeling.inflation))}};
 }
 
-Files united(const StageContext& c) { return {{solid_file, solid_to_json(Model(strokes_of(c), c.options.modeling).united())}}; }
+Files united(const StageContext& c) {
+    return {{solid_file, solid_to_json(Model(strokes_of(c), c.options.modeling).united())}};
+}
 
 Files heat(const StageContext& c) {
     const std::vector<BoneSegment> segments = segments_from_json(c.text(model_file), model_file);

@@ -17,7 +17,8 @@ const std::vector<VerifiedDrawing>& verified_drawings() {
 const std::vector<Stage>& verified_stages() {
     static const std::vector<Stage> stages = [] {
         std::vector<Stage> all = shape_stages();
-        for (const auto& group : {motion_stages(), solid_stages()}) all.insert(all.end(), group.begin(), group.end());
+        for (const auto& group : {motion_stages(), solid_stages()})
+            all.insert(all.end(), group.begin(), group.end());
         return all;
     }();
     return stages;
@@ -29,8 +30,12 @@ const std::string& StageContext::text(const std::string& name) const {
     return found->second;
 }
 
-RgbImage StageContext::picture(const std::string& name) const { return decode_image(as_bytes(text(name)), name, 1); }
-GreyImage StageContext::grey(const std::string& name) const { return decode_grey(as_bytes(text(name)), name); }
+RgbImage StageContext::picture(const std::string& name) const {
+    return decode_image(as_bytes(text(name)), name, 1);
+}
+GreyImage StageContext::grey(const std::string& name) const {
+    return decode_grey(as_bytes(text(name)), name);
+}
 Mask StageContext::mask(const std::string& name) const { return foreground(grey(name)); }
 
 std::string png(const GreyImage& image) { return as_text(encode_png(image)); }

@@ -1,4 +1,5 @@
-// The stages of the pipeline as rows of the verification: each one a call of public step functions, files in and files out.
+// The stages of the pipeline as rows of the verification: each one a call of public step functions, files in
+// and files out.
 #pragma once
 
 #include <string>
@@ -9,8 +10,9 @@
 
 namespace pantin {
 
-// The drawings, columns of the table. What the network costs is most of the time, so the features are shared out: one drawing is
-// looked at from several sides, two are found by the network and one by the contour-based detector, one becomes a solid.
+// The drawings, columns of the table. What the network costs is most of the time, so the features are shared
+// out: one drawing is looked at from several sides, two are found by the network and one by the contour-based
+// detector, one becomes a solid.
 struct VerifiedDrawing {
     std::string name;
     Detector detector = Detector::mask_rcnn;
@@ -43,7 +45,8 @@ struct Stage {
     enum { every, found_by_network, solid } drawings = every;
 
     bool is_for(const VerifiedDrawing& drawing) const {
-        return drawings == every || (drawings == solid ? drawing.solid : drawing.detector == Detector::mask_rcnn);
+        return drawings == every ||
+               (drawings == solid ? drawing.solid : drawing.detector == Detector::mask_rcnn);
     }
 };
 // In the order of the flow.

@@ -86,7 +86,8 @@ BoneAnimation animation(const JsonReader& reader) {
 
 } // namespace
 
-// --- detection and segmentation ------------------------------------------------------------------------------
+// --- detection and segmentation
+// ------------------------------------------------------------------------------
 
 std::string found_to_json(const std::vector<CharacterFinder::Found>& found) {
     Json json;
@@ -97,7 +98,8 @@ std::string found_to_json(const std::vector<CharacterFinder::Found>& found) {
         item["score"] = f.score;
         item["box"] = {f.left, f.top, f.right, f.bottom};
         item["mask"] = Json::array();
-        for (int y = 0; y < f.mask.height(); ++y) item["mask"].push_back(std::vector<float>(f.mask.row(y), f.mask.row(y) + f.mask.width()));
+        for (int y = 0; y < f.mask.height(); ++y)
+            item["mask"].push_back(std::vector<float>(f.mask.row(y), f.mask.row(y) + f.mask.width()));
         json["found"].push_back(item);
     }
     return to_json_text(json);
@@ -124,7 +126,8 @@ std::string probabilities_to_json(const std::vector<Grid<float>>& probabilities)
     return to_json_text(json);
 }
 
-// --- rigs ------------------------------------------------------------------------------------------------------
+// --- rigs
+// ------------------------------------------------------------------------------------------------------
 
 std::string mesh_to_json(const Rig& rig) {
     Json json;
@@ -162,7 +165,8 @@ std::string depths_to_json(const Rig& rig) {
     return to_json_text(json);
 }
 
-Rig rig_from_files(const std::string& mesh, const std::string& bones, const std::string& weights, const std::string& depths) {
+Rig rig_from_files(const std::string& mesh, const std::string& bones, const std::string& weights,
+                   const std::string& depths) {
     Rig rig;
     const Json mesh_json = parse_json(mesh, "mesh.json"), bones_json = parse_json(bones, "bones.json"),
                depths_json = parse_json(depths, "depths.json");
@@ -178,7 +182,8 @@ Rig rig_from_files(const std::string& mesh, const std::string& bones, const std:
     return rig;
 }
 
-// --- animation -------------------------------------------------------------------------------------------------
+// --- animation
+// -------------------------------------------------------------------------------------------------
 
 std::string animations_to_json(const std::vector<BoneAnimation>& animations) {
     Json json;
@@ -190,7 +195,8 @@ std::string animations_to_json(const std::vector<BoneAnimation>& animations) {
         item["ground_speed"] = animation.ground_speed;
         item["times"] = animation.times;
         item["rotations"] = Json::array();
-        for (const std::vector<Quaternion>& bone : animation.rotations) item["rotations"].push_back(to_list(bone));
+        for (const std::vector<Quaternion>& bone : animation.rotations)
+            item["rotations"].push_back(to_list(bone));
         item["root_translation"] = to_list(animation.root_translation);
         json["animations"].push_back(item);
     }
@@ -213,7 +219,8 @@ std::vector<Vec3> places_from_json(const std::string& text, const std::string& f
     return list_of(JsonReader(json, file).at("vertices"), place);
 }
 
-// --- models ----------------------------------------------------------------------------------------------------
+// --- models
+// ----------------------------------------------------------------------------------------------------
 
 std::string inflation_to_json(const Inflation& inflation) {
     Json json;
@@ -251,9 +258,11 @@ std::vector<BoneSegment> segments_from_json(const std::string& text, const std::
     std::vector<BoneSegment> segments;
     for (const JsonReader& joint : joints) {
         const bool root = !joint.has("parent");
-        if (root && !segments.empty()) continue; // as in model_rig(): a tree of its own has no bone of its root
-        const JsonReader& parent =
-            root ? joint : joints[static_cast<std::size_t>(joint.at("parent").integer(0, static_cast<long>(joints.size()) - 1))];
+        if (root && !segments.empty())
+            continue; // as in model_rig(): a tree of its own has no bone of its root
+        const JsonReader& parent = root ? joint
+                                        : joints[static_cast<std::size_t>(joint.at("parent").integer(
+                                              0, static_cast<long>(joints.size()) - 1))];
         segments.push_back({place(parent.at("place")), place(joint.at("place")),
                             0.5 * (real(parent.at("radius")) + real(joint.at("radius")))});
     }

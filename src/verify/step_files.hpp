@@ -1,5 +1,6 @@
-// What the steps hand to each other in memory, as JSON files of the reference vectors (docs/formats.md, "Reference vectors").
-// Every double survives the way there and back to the bit. Readers throw Error(input) that names `file`, the place and the fact.
+// What the steps hand to each other in memory, as JSON files of the reference vectors (docs/formats.md,
+// "Reference vectors"). Every double survives the way there and back to the bit. Readers throw Error(input)
+// that names `file`, the place and the fact.
 #pragma once
 
 #include <string>
@@ -14,13 +15,15 @@
 namespace pantin {
 
 std::string found_to_json(const std::vector<CharacterFinder::Found>& found); // the three surest
-std::string probabilities_to_json(const std::vector<Grid<float>>& probabilities); // every 8th value, and a digest of all
+std::string
+probabilities_to_json(const std::vector<Grid<float>>& probabilities); // every 8th value, and a digest of all
 
 // A rig in three files: mesh.json (size, mesh, texture), bones.json, and weights.txt with depths.json.
 std::string mesh_to_json(const Rig& rig);
 std::string bones_to_json(const Rig& rig);
 std::string depths_to_json(const Rig& rig);
-Rig rig_from_files(const std::string& mesh, const std::string& bones, const std::string& weights, const std::string& depths);
+Rig rig_from_files(const std::string& mesh, const std::string& bones, const std::string& weights,
+                   const std::string& depths);
 
 std::string animations_to_json(const std::vector<BoneAnimation>& animations);
 std::vector<BoneAnimation> animations_from_json(const std::string& text, const std::string& file);

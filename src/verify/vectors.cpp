@@ -24,20 +24,25 @@ namespace {
 constexpr std::size_t block = 512;
 constexpr const char* archive = "vectors.tar.gz";
 
-[[noreturn]] void damaged() { throw Error(ErrorKind::internal, std::string(archive) + " (compiled in) is damaged"); }
+[[noreturn]] void damaged() {
+    throw Error(ErrorKind::internal, std::string(archive) + " (compiled in) is damaged");
+}
 
 struct FreeBytes {
     void operator()(char* bytes) const { std::free(bytes); }
 };
 
-// One member without optional fields, as `gzip -n` writes it: ten bytes of header, eight of checksum and length.
+// One member without optional fields, as `gzip -n` writes it: ten bytes of header, eight of checksum and
+// length.
 std::string gunzip(std::span<const unsigned char> bytes) {
     constexpr std::size_t header = 10, trailer = 8;
-    if (bytes.size() < header + trailer || bytes[0] != 0x1f || bytes[1] != 0x8b || bytes[2] != 8 || bytes[3] != 0) damaged();
+    if (bytes.size() < header + trailer || bytes[0] != 0x1f || bytes[1] != 0x8b || bytes[2] != 8 ||
+        bytes[3] != 0)
+        damaged();
     const auto* deflated = reinterpret_cast<const char*>(bytes.data()) + header;
     int length = 0;
-    const std::unique_ptr<char, FreeBytes> inflated(
-        stbi_zlib_decode_noheader_malloc(deflated, static_cast<int>(bytes.size() - header - trailer), &length));
+    const std::unique_ptr<char, FreeBytes> inflated(stbi_zlib_decode_noheader_malloc(
+        deflated, static_cast<int>(bytes.size() - header - trailer), &length));
     if (!inflated) damaged();
     return std::string(inflated.get(), static_cast<std::size_t>(length));
 }
@@ -66,7 +71,9 @@ Files read_archive(std::span<const unsigned char> bytes) {
         const std::size_t size = octal(field(header, 124, 12));
         at += block;
         if (size > tar.size() - at) damaged();
-        if (header[156] == '0') files[(prefix.empty() ? "" : std::string(prefix) + "/") + std::string(name)] = tar.substr(at, size);
+        if (header[156] == '0')
+            files[(prefix.empty() ? "" : std::string(prefix) + "/") + std::string(name)] =
+                tar.substr(at, size);
         at += (size + block - 1) / block * block;
     }
     return files;

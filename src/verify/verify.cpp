@@ -39,7 +39,8 @@ Outcome outcome_of(const Stage& stage, const StageContext& context) {
     } catch (const CharacterRejected& rejected) {
         return {{}, rejected.step() + ": " + rejected.what()};
     } catch (const Error& error) {
-        if (error.kind() == ErrorKind::weights || error.kind() == ErrorKind::usage) throw; // of the call, not of the results
+        if (error.kind() == ErrorKind::weights || error.kind() == ErrorKind::usage)
+            throw; // of the call, not of the results
         return {{}, error.what()};
     }
 }
@@ -53,7 +54,8 @@ FileDifference fact(const std::string& file, const std::string& first, const std
     return difference;
 }
 
-std::vector<FileDifference> differences_of(const Stage& stage, const std::string& drawing, const Outcome& outcome, const Files& stored) {
+std::vector<FileDifference> differences_of(const Stage& stage, const std::string& drawing,
+                                           const Outcome& outcome, const Files& stored) {
     std::vector<FileDifference> differences;
     for (const std::string& output : stage.outputs) {
         const std::string name = drawing + "/" + output;
@@ -104,17 +106,20 @@ private:
     void check(const VerifiedDrawing& drawing) {
         const Options options = options_for(drawing, settings_.options);
         const std::string page = drawing.name + "/page.png";
-        if (const auto found = stored_.find(page); found != stored_.end()) result_.outputs[page] = found->second;
+        if (const auto found = stored_.find(page); found != stored_.end())
+            result_.outputs[page] = found->second;
         Files chain = stored_;
         for (const Stage& stage : verified_stages()) {
             const double total = static_cast<double>(verified_drawings().size() * verified_stages().size());
             if (settings_.progress) settings_.progress(drawing.name + ": " + stage.name, done_++ / total);
             if (!stage.is_for(drawing)) continue;
             const Files& input = settings_.end_to_end ? chain : stored_;
-            const Outcome outcome = outcome_of(stage, {drawing, options, settings_.threads, networks_, references_, input});
+            const Outcome outcome =
+                outcome_of(stage, {drawing, options, settings_.threads, networks_, references_, input});
             if (settings_.end_to_end) replace(chain, drawing.name, outcome.made);
             replace(result_.outputs, drawing.name, outcome.made);
-            result_.results.push_back({stage.name, drawing.name, differences_of(stage, drawing.name, outcome, stored_)});
+            result_.results.push_back(
+                {stage.name, drawing.name, differences_of(stage, drawing.name, outcome, stored_)});
         }
     }
 };

@@ -118,8 +118,10 @@ TEST_CASE("every clip of the compiled-in references loops exactly") {
 TEST_CASE("each reference has a moving clip first and a calm one, and every joint moves in the first") {
     for (const ReferenceSkeleton& reference : load_references()) {
         REQUIRE(reference.clips.size() >= 2);
-        const std::map<std::string, std::string> first = {{"flying", "fly"}, {"fish", "swim"}, {"bust", "nod"}};
-        CHECK(reference.clips[0].name == (first.contains(reference.name) ? first.at(reference.name) : "walk"));
+        const std::map<std::string, std::string> first = {
+            {"flying", "fly"}, {"fish", "swim"}, {"bust", "nod"}};
+        CHECK(reference.clips[0].name ==
+              (first.contains(reference.name) ? first.at(reference.name) : "walk"));
         CHECK(reference.clips[1].name == "idle");
         for (std::size_t j = 0; j < reference.joints.size(); ++j)
             CHECK(std::any_of(
@@ -163,7 +165,8 @@ TEST_CASE(
 static ReferenceClip swinging_legs(const ReferenceSkeleton& reference) {
     std::vector<ReferenceTrack> tracks;
     for (const char* leg : {"leg_front_left", "leg_front_right", "leg_hind_left", "leg_hind_right"})
-        tracks.push_back({joint_named(reference, leg), "z", 0, 20, 0.25 * static_cast<double>(tracks.size()), 0, 1});
+        tracks.push_back(
+            {joint_named(reference, leg), "z", 0, 20, 0.25 * static_cast<double>(tracks.size()), 0, 1});
     return clip_with(tracks);
 }
 

@@ -82,14 +82,20 @@ TEST_CASE("Joints are where the rotations put them", "[motion]") {
 
 TEST_CASE("A damaged BVH file is refused with its line", "[motion]") {
     CHECK(refusal("") == "arm.bvh: line 1: 'HIERARCHY' is expected, not ''");
-    CHECK(refusal(replaced(arm, "OFFSET 10", "OFFSET ten")) == "arm.bvh: line 8: an offset is expected, not 'ten'");
-    CHECK(refusal(replaced(arm, "3 Zrotation", "4 Zrotation")).find("'End' is no channel") != std::string::npos);
-    CHECK(refusal(replaced(arm, "Yrotation\n    End", "Wrotation\n    End")).find("line 9: 'Wrotation' is no channel") != std::string::npos);
+    CHECK(refusal(replaced(arm, "OFFSET 10", "OFFSET ten")) ==
+          "arm.bvh: line 8: an offset is expected, not 'ten'");
+    CHECK(refusal(replaced(arm, "3 Zrotation", "4 Zrotation")).find("'End' is no channel") !=
+          std::string::npos);
+    CHECK(refusal(replaced(arm, "Yrotation\n    End", "Wrotation\n    End"))
+              .find("line 9: 'Wrotation' is no channel") != std::string::npos);
     CHECK(refusal(replaced(arm, "Frames: 2", "Frames: 3")).find("line 21: ") != std::string::npos);
-    CHECK(refusal(replaced(arm, "Frames: 2", "Frames: 1")).find("more values than 1 frames") != std::string::npos);
+    CHECK(refusal(replaced(arm, "Frames: 2", "Frames: 1")).find("more values than 1 frames") !=
+          std::string::npos);
     CHECK(refusal(replaced(arm, "Frames: 2", "Frames: 999999")).find("too short") != std::string::npos);
-    CHECK(refusal(replaced(arm, "Frame Time: 0.04", "Frame Time: 0")).find("a frame must take") != std::string::npos);
-    CHECK(refusal(replaced(arm, "0 0 0 0 0 0 0 0 0", "0 0 0 nan 0 0 0 0 0")).find("not 'nan'") != std::string::npos);
+    CHECK(refusal(replaced(arm, "Frame Time: 0.04", "Frame Time: 0")).find("a frame must take") !=
+          std::string::npos);
+    CHECK(refusal(replaced(arm, "0 0 0 0 0 0 0 0 0", "0 0 0 nan 0 0 0 0 0")).find("not 'nan'") !=
+          std::string::npos);
     CHECK(refusal(arm.substr(0, 200)).starts_with("arm.bvh: line "));
 }
 
@@ -103,7 +109,8 @@ TEST_CASE("Every beginning of a BVH file is refused, never a crash", "[motion]")
 TEST_CASE("A written BVH puts every bone where the animation puts it", "[motion]") {
     const Rig rig = square_rig();
     BoneAnimation animation = swing();
-    // An odd turn about all axes, and one that points a bone straight along y (where Euler angles are not unique).
+    // An odd turn about all axes, and one that points a bone straight along y (where Euler angles are not
+    // unique).
     animation.rotations[1][0] = normalised({0.3, -0.2, 0.5, 0.7});
     animation.rotations[2][1] = normalised({0.7071067811865476, 0, 0, 0.7071067811865476});
     const Motion motion = parse_bvh(to_bvh(rig, animation), "written.bvh");
@@ -134,16 +141,22 @@ TEST_CASE("A written BVH puts every bone where the animation puts it", "[motion]
 TEST_CASE("Joints are known by the names of the common programs", "[motion]") {
     const std::vector<JointNames> conventions = {
         mixamo,
-        {"Left", "Right", "Hips", "Neck", "Head", "<Arm", "<ForeArm", "<Hand", "<UpLeg", "<Leg", "<Foot"}, // CMU, Rokoko
-        {"Left", "Right", "Hips", "Neck", "Head", "<Shoulder", "<Elbow", "<Wrist", "<Hip", "<Knee", "<Ankle"}, // Biovision
-        {"l", "r", "hip", "neck", "head", "<Shldr", "<ForeArm", "<Hand", "<Thigh", "<Shin", "<Foot"},      // Poser, DAZ
-        {"L", "R", "Pelvis", "Neck", "Head", "<_Shoulder", "<_Elbow", "<_Wrist", "<_Hip", "<_Knee", "<_Ankle"}, // SMPL
-        {".L", ".R", "hips", "neck", "head", "upper_arm<", "forearm<", "hand<", "thigh<", "shin<", "foot<"}, // Blender
-        {"_l", "_r", "pelvis", "neck_01", "head", "upperarm<", "lowerarm<", "hand<", "thigh<", "calf<", "foot<"}, // Unreal
-        {"L", "R", "J_Bip_C_Hips", "J_Bip_C_Neck", "J_Bip_C_Head", "J_Bip_<_UpperArm", "J_Bip_<_LowerArm", "J_Bip_<_Hand",
-         "J_Bip_<_UpperLeg", "J_Bip_<_LowerLeg", "J_Bip_<_Foot"}, // VRM
-        {"L", "R", "Bip01", "Bip01_Neck", "Bip01_Head", "Bip01_<_UpperArm", "Bip01_<_Forearm", "Bip01_<_Hand", "Bip01_<_Thigh",
-         "Bip01_<_Calf", "Bip01_<_Foot"}, // 3ds Max
+        {"Left", "Right", "Hips", "Neck", "Head", "<Arm", "<ForeArm", "<Hand", "<UpLeg", "<Leg",
+         "<Foot"}, // CMU, Rokoko
+        {"Left", "Right", "Hips", "Neck", "Head", "<Shoulder", "<Elbow", "<Wrist", "<Hip", "<Knee",
+         "<Ankle"}, // Biovision
+        {"l", "r", "hip", "neck", "head", "<Shldr", "<ForeArm", "<Hand", "<Thigh", "<Shin",
+         "<Foot"}, // Poser, DAZ
+        {"L", "R", "Pelvis", "Neck", "Head", "<_Shoulder", "<_Elbow", "<_Wrist", "<_Hip", "<_Knee",
+         "<_Ankle"}, // SMPL
+        {".L", ".R", "hips", "neck", "head", "upper_arm<", "forearm<", "hand<", "thigh<", "shin<",
+         "foot<"}, // Blender
+        {"_l", "_r", "pelvis", "neck_01", "head", "upperarm<", "lowerarm<", "hand<", "thigh<", "calf<",
+         "foot<"}, // Unreal
+        {"L", "R", "J_Bip_C_Hips", "J_Bip_C_Neck", "J_Bip_C_Head", "J_Bip_<_UpperArm", "J_Bip_<_LowerArm",
+         "J_Bip_<_Hand", "J_Bip_<_UpperLeg", "J_Bip_<_LowerLeg", "J_Bip_<_Foot"}, // VRM
+        {"L", "R", "Bip01", "Bip01_Neck", "Bip01_Head", "Bip01_<_UpperArm", "Bip01_<_Forearm", "Bip01_<_Hand",
+         "Bip01_<_Thigh", "Bip01_<_Calf", "Bip01_<_Foot"}, // 3ds Max
     };
     for (const JointNames& names : conventions) {
         CAPTURE(names.upper_arm, names.hips);
@@ -167,5 +180,6 @@ TEST_CASE("Joints are known by the names of the common programs", "[motion]") {
 
 TEST_CASE("A motion without a human body is refused by the part that is missing", "[motion]") {
     const Motion motion = parse_bvh(arm, "arm.bvh");
-    CHECK_THROWS_WITH(match_joints(motion, "arm.bvh"), "arm.bvh: no joint plays the left upper arm (shoulder, elbow)");
+    CHECK_THROWS_WITH(match_joints(motion, "arm.bvh"),
+                      "arm.bvh: no joint plays the left upper arm (shoulder, elbow)");
 }

@@ -27,7 +27,8 @@ int joint(const std::string& name) {
 Rig doll() {
     Rig rig;
     rig.width = rig.height = 101;
-    const auto add = [&](const std::string& name, int parent, Point2d head, Point2d tail, const std::string& driver, int segment) {
+    const auto add = [&](const std::string& name, int parent, Point2d head, Point2d tail,
+                         const std::string& driver, int segment) {
         Bone bone;
         bone.name = name;
         bone.parent = parent;
@@ -71,7 +72,8 @@ double turned(double angle) { return angle - 360 * std::rint(angle / 360); }
 
 } // namespace
 
-TEST_CASE("Limbs take the directions of a motion in the frontal plane, left and right as in a mirror", "[motion]") {
+TEST_CASE("Limbs take the directions of a motion in the frontal plane, left and right as in a mirror",
+          "[motion]") {
     const Rig rig = doll();
     const BoneAnimation animation = followed(performer(mixamo, jumping_jack), rig);
     REQUIRE(animation.times.size() == 31);
@@ -89,7 +91,9 @@ TEST_CASE("Limbs take the directions of a motion in the frontal plane, left and 
     }
 }
 
-TEST_CASE("Legs that swing forwards are seen from the side, and the hips go their way on the scale of the legs", "[motion]") {
+TEST_CASE(
+    "Legs that swing forwards are seen from the side, and the hips go their way on the scale of the legs",
+    "[motion]") {
     const Rig rig = doll();
     const BoneAnimation animation = followed(performer(mixamo, walking), rig);
     for (std::size_t i = 0; i < animation.times.size(); ++i) {

@@ -20,7 +20,8 @@ int joint_named(const ReferenceSkeleton& reference, const std::string& name) {
     return -1;
 }
 
-ReferenceTrack track_of(const ReferenceSkeleton& reference, const std::string& joint, const std::string& axis, double amplitude) {
+ReferenceTrack track_of(const ReferenceSkeleton& reference, const std::string& joint, const std::string& axis,
+                        double amplitude) {
     ReferenceTrack track;
     track.joint = joint_named(reference, joint);
     track.axis = axis;
@@ -71,7 +72,8 @@ void check_steps(const Rig& rig, const ReferenceClip& clip, double tolerance) {
             highest = std::max(highest, ways[i].y - ground);
             if (u + 1.0 / 64 > track.duty) continue;
             CHECK(ways[i].y == Approx(ground).margin(tolerance));
-            CHECK(ways[i + 1].x - ways[i].x == Approx(animation.ground_speed * clip.duration / 64).margin(tolerance));
+            CHECK(ways[i + 1].x - ways[i].x ==
+                  Approx(animation.ground_speed * clip.duration / 64).margin(tolerance));
         }
         CHECK(highest > 0.02);
     }

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/demo.hpp"
+#include "export/glb_file.hpp"
 #include "pantin/identification.hpp"
 #include "pantin/image.hpp"
 #include "support/films.hpp"
-#include "export/glb_file.hpp"
 
 using namespace pantin;
 using namespace pantin::test;
@@ -85,8 +85,7 @@ TEST_CASE("The demo page has a humanoid, a quadruped and a flyer, and all are re
         types.insert(json_of(folder / "identification.json")["reference"].get<std::string>());
     for (const std::string type : {"humanoid", "quadruped", "flying"}) CHECK(types.count(type) >= 1);
     const Json page = json_of(animated_demo() / "page.json"); // a temporary would not outlive the range
-    for (const Json& character : page["characters"])
-        CHECK(character["status"] == "ok");
+    for (const Json& character : page["characters"]) CHECK(character["status"] == "ok");
 }
 
 TEST_CASE("Every JSON file has the documented keys in their order", "[cli][end-to-end]") {

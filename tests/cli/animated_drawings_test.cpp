@@ -24,7 +24,8 @@ std::vector<std::string> animate(const std::string& what, const fs::path& out) {
 const fs::path& written() {
     static const TemporaryFolder folder;
     static const fs::path character = [] {
-        const Outcome outcome = run_pantin(animate(small_page, folder / "out") + std::vector<std::string>{"--animated-drawings"});
+        const Outcome outcome =
+            run_pantin(animate(small_page, folder / "out") + std::vector<std::string>{"--animated-drawings"});
         if (outcome.code != 0) throw std::runtime_error(outcome.err);
         return folder / "out/character-1/animated_drawings";
     }();
@@ -42,7 +43,8 @@ TEST_CASE("A humanoid is written as AnimatedDrawings wants it", "[cli][animated-
     CHECK(config.starts_with("height: " + std::to_string(mask.height()) + "\nskeleton:\n- loc:\n"));
     CHECK(config.ends_with("width: " + std::to_string(mask.width()) + "\n"));
     int inside = 0, joints = 0;
-    for (std::size_t at = config.find("- loc:"); at != std::string::npos; at = config.find("- loc:", at + 1)) {
+    for (std::size_t at = config.find("- loc:"); at != std::string::npos;
+         at = config.find("- loc:", at + 1)) {
         int x = -1, y = -1;
         REQUIRE(std::sscanf(config.c_str() + at, "- loc:\n  - %d\n  - %d\n", &x, &y) == 2);
         ++joints;
@@ -60,7 +62,8 @@ TEST_CASE("An AnimatedDrawings folder is animated with its mask and its joints",
     const fs::path character = folder / "out/character-1";
     CHECK(nlohmann::json::parse(read(character / "identification.json"))["reference"] == "humanoid");
     // The joints came from our own labels: parts lie where they lay.
-    const GreyImage labels = load_grey(character / "labels.png"), before = load_grey(written().parent_path() / "labels.png");
+    const GreyImage labels = load_grey(character / "labels.png"),
+                    before = load_grey(written().parent_path() / "labels.png");
     REQUIRE(labels.width() == Approx(before.width()).margin(30));
     std::array<double, 4> now{}, then{};
     for (const std::uint8_t v : labels) now[std::min<std::size_t>(v, 3)] += 1.0 / labels.size();
@@ -86,8 +89,10 @@ TEST_CASE("A damaged AnimatedDrawings folder is one line and exit code 3", "[cli
     refused("skeleton: [", "not the YAML of a character");
     refused("skeleton:\n- name: hip\n", "joint 'hip' has no place");
     refused("skeleton:\n- 3\n", "not the YAML of a character");
-    refused(std::string(config).replace(config.find("left_knee"), 9, "left_nose"), "misses the joint 'left_knee'");
-    refused(std::string(config).replace(config.find("  - "), 4, "  - 99999"), "joint 'root' lies far outside");
+    refused(std::string(config).replace(config.find("left_knee"), 9, "left_nose"),
+            "misses the joint 'left_knee'");
+    refused(std::string(config).replace(config.find("  - "), 4, "  - 99999"),
+            "joint 'root' lies far outside");
     fs::remove(copy / "mask.png");
     const Outcome outcome = run_pantin(animate(copy.string(), folder / "out"));
     CHECK(outcome.code == 3);

@@ -66,8 +66,9 @@ struct Numbers {
 TEST_CASE("Results come in the order of the tasks, for any number of threads", "[batch]") {
     for (const int threads : {1, 2, 4}) {
         Numbers numbers{50};
-        run_in_order(threads, [&] { return numbers.next(); },
-                     [&](const BatchResult& result) { return numbers.written.push_back(result.code), true; });
+        run_in_order(
+            threads, [&] { return numbers.next(); },
+            [&](const BatchResult& result) { return numbers.written.push_back(result.code), true; });
         std::vector<int> wanted(50);
         std::iota(wanted.begin(), wanted.end(), 0);
         CHECK(numbers.written == wanted);
@@ -95,17 +96,19 @@ TEST_CASE("Few tasks are begun before the first result is written, however long 
 
 TEST_CASE("Work ends when nobody reads the results, and exceptions come through", "[batch]") {
     Numbers numbers{1000};
-    run_in_order(4, [&] { return numbers.next(); },
-                 [&](const BatchResult& result) { return numbers.written.push_back(result.code), result.code < 5; });
+    run_in_order(
+        4, [&] { return numbers.next(); },
+        [&](const BatchResult& result) { return numbers.written.push_back(result.code), result.code < 5; });
     CHECK(numbers.written == std::vector<int>{0, 1, 2, 3, 4, 5});
     CHECK(numbers.given < 20);
 
     Numbers more{1000};
-    CHECK_THROWS_AS(run_in_order(4, [&] { return more.next(); },
-                                 [&](const BatchResult& result) {
-                                     if (result.code == 5) throw Error(ErrorKind::output, "full");
-                                     return true;
-                                 }),
+    CHECK_THROWS_AS(run_in_order(
+                        4, [&] { return more.next(); },
+                        [&](const BatchResult& result) {
+                            if (result.code == 5) throw Error(ErrorKind::output, "full");
+                            return true;
+                        }),
                     Error);
     // What was begun before the input broke off is written.
     Numbers broken{1000};
@@ -113,9 +116,10 @@ TEST_CASE("Work ends when nobody reads the results, and exceptions come through"
         if (broken.given == 7) throw Error(ErrorKind::input, "gone");
         return broken.next();
     };
-    CHECK_THROWS_AS(run_in_order(3, next,
-                                 [&](const BatchResult& result) { return broken.written.push_back(result.code), true; }),
-                    Error);
+    CHECK_THROWS_AS(
+        run_in_order(3, next,
+                     [&](const BatchResult& result) { return broken.written.push_back(result.code), true; }),
+        Error);
     CHECK(broken.written == std::vector<int>{0, 1, 2, 3, 4, 5, 6});
 }
 
@@ -125,11 +129,23 @@ TEST_CASE("A batch gives the bytes of animate, with the options of each line", "
     write(folder / "config.json", R"({"rigging": {"limb_segments": 1}})");
     const RgbImage page = load_image(small_page);
     save_png(folder / "mask.png", GreyImage(page.width(), page.height(), 255));
-    const Json turned = {{"image", "testdata/flying.png"}, {"out", (ours / "turned").string()}, {"rotate", 180}, {"scene", true}};
-    const Json given = {{"image", small_page}, {"out", (ours / "given").string()}, {"mask", (folder / "mask.png").string()},
-                        {"reference", "bird"}, {"size", 48}, {"fps", 4}, {"formats", {"apng", "png"}}};
-    const Json config = {{"image", "testdata/quadruped.png"}, {"config", {{"rigging.limb_segments", 1}}}, {"preset", "thesis"},
-                         {"background", "#ff8800"}, {"perspective", true}, {"detector", "contour"}};
+    const Json turned = {{"image", "testdata/flying.png"},
+                         {"out", (ours / "turned").string()},
+                         {"rotate", 180},
+                         {"scene", true}};
+    const Json given = {{"image", small_page},
+                        {"out", (ours / "given").string()},
+                        {"mask", (folder / "mask.png").string()},
+                        {"reference", "bird"},
+                        {"size", 48},
+                        {"fps", 4},
+                        {"formats", {"apng", "png"}}};
+    const Json config = {{"image", "testdata/quadruped.png"},
+                         {"config", {{"rigging.limb_segments", 1}}},
+                         {"preset", "thesis"},
+                         {"background", "#ff8800"},
+                         {"perspective", true},
+                         {"detector", "contour"}};
     const auto run = [&](const std::string& image, const std::string& name, const Words& more) {
         const int code = run_pantin(Words{"animate", image, "-o", (wanted / name).string()} + more).code;
         CHECK(code == 0);
@@ -137,14 +153,14 @@ TEST_CASE("A batch gives the bytes of animate, with the options of each line", "
     run(small_page, "humanoid", quick);
     run("testdata/flying.png", "turned", quick + Words{"--rotate", "180", "--scene"});
     run(small_page, "given",
-        {"--clip", "idle", "--mask", (folder / "mask.png").string(), "--reference", "bird", "--size", "48", "--fps", "4", "--format",
-         "apng,png"});
+        {"--clip", "idle", "--mask", (folder / "mask.png").string(), "--reference", "bird", "--size", "48",
+         "--fps", "4", "--format", "apng,png"});
     run("testdata/quadruped.png", "quadruped",
-        quick + Words{"--config", (folder / "config.json").string(), "--preset", "thesis", "--background", "#ff8800",
-                      "--perspective", "--detector", "contour"});
+        quick + Words{"--config", (folder / "config.json").string(), "--preset", "thesis", "--background",
+                      "#ff8800", "--perspective", "--detector", "contour"});
 
-    const std::string input =
-        small_page + "\n" + turned.dump() + "\n" + given.dump() + "\r\n" + config.dump(); // the last line need not be ended
+    const std::string input = small_page + "\n" + turned.dump() + "\n" + given.dump() + "\r\n" +
+                              config.dump(); // the last line need not be ended
     const Outcome outcome = batch(input, {"-o", ours.string(), "--threads", "2"});
     CHECK(outcome.code == 0);
     CHECK(outcome.err.empty());
@@ -158,20 +174,23 @@ TEST_CASE("A batch gives the bytes of animate, with the options of each line", "
     CHECK(lines[3]["out"] == (ours / "quadruped").string());
 }
 
-TEST_CASE("A batch does not depend on the number of threads and goes on after failures", "[batch][end-to-end]") {
+TEST_CASE("A batch does not depend on the number of threads and goes on after failures",
+          "[batch][end-to-end]") {
     const TemporaryFolder folder;
     write(folder / "broken.png", "no picture");
     std::string input;
-    for (const std::string& line : {std::string("testdata/quadruped.png"), std::string("missing.png"),
-                                    (folder / "broken.png").string(), std::string("testdata/rejects.png"), small_page,
-                                    std::string("{\"image\": 5}"), small_page, std::string("testdata/flying.png")})
+    for (const std::string& line :
+         {std::string("testdata/quadruped.png"), std::string("missing.png"), (folder / "broken.png").string(),
+          std::string("testdata/rejects.png"), small_page, std::string("{\"image\": 5}"), small_page,
+          std::string("testdata/flying.png")})
         input += line + "\n";
     const fs::path out = folder / "out", first = folder / "first";
     std::string lines;
     for (const std::string threads : {"1", "4"}) {
         const Outcome outcome = batch(input, {"-o", out.string(), "--threads", threads});
         CHECK(outcome.code == 3);
-        CHECK(outcome.err == "pantin: 8 done, 3 failed, first number 2 (missing.png): error: missing.png: no such file\n");
+        CHECK(outcome.err ==
+              "pantin: 8 done, 3 failed, first number 2 (missing.png): error: missing.png: no such file\n");
         if (threads == "1") {
             lines = outcome.out;
             fs::rename(out, first);
@@ -190,9 +209,11 @@ TEST_CASE("A batch does not depend on the number of threads and goes on after fa
     check_same(out / "humanoid", out / "humanoid-2");
 }
 
-TEST_CASE("A page without any character that can be animated tells the step and the reason", "[batch][end-to-end]") {
+TEST_CASE("A page without any character that can be animated tells the step and the reason",
+          "[batch][end-to-end]") {
     const TemporaryFolder folder;
-    const std::string line = Json{{"image", small_page}, {"out", (folder / "out").string()}, {"clip", "fly"}}.dump();
+    const std::string line =
+        Json{{"image", small_page}, {"out", (folder / "out").string()}, {"clip", "fly"}}.dump();
     for (const bool again : {false, true}) {
         const Outcome outcome = batch(line, again ? Words{"--skip-done"} : Words{});
         CHECK(outcome.code == 7);
@@ -214,7 +235,8 @@ TEST_CASE("A second run with --skip-done does what is missing and nothing else",
     std::string page = read(out / "quadruped/page.json");
     page.replace(page.find("\"ok\""), 4, "\"unfinished\"");
     write(out / "quadruped/page.json", page);
-    fs::rename(out / "quadruped/character-1/animation-idle.gif", out / "quadruped/character-1/.animation-idle.gif.123.part");
+    fs::rename(out / "quadruped/character-1/animation-idle.gif",
+               out / "quadruped/character-1/.animation-idle.gif.123.part");
     // Detection alone is not the whole way.
     fs::remove_all(out / "flying");
     REQUIRE(run_pantin({"detect", "testdata/flying.png", "-o", (out / "flying").string()}).code == 0);
@@ -302,7 +324,8 @@ TEST_CASE("A line that is no page is a failure of that line, with its reason", "
 TEST_CASE("Two lines cannot have one folder", "[batch]") {
     const TemporaryFolder folder;
     const std::string out = (folder / "out").string();
-    const std::string input = line_for("none.png", folder / "out/a") + line_for("none.png", folder / "out/b/../a/") + "x/a.png\n";
+    const std::string input =
+        line_for("none.png", folder / "out/a") + line_for("none.png", folder / "out/b/../a/") + "x/a.png\n";
     const std::vector<Json> lines = lines_of(batch(input, {"-o", out}));
     REQUIRE(lines.size() == 3);
     CHECK(lines[0]["code"] == 3);
@@ -311,7 +334,8 @@ TEST_CASE("Two lines cannot have one folder", "[batch]") {
         CHECK(lines[i]["status"].get<std::string>().ends_with(": is the folder of an earlier line"));
     }
     const Outcome nowhere = batch("none.png\n");
-    CHECK(lines_of(nowhere).at(0)["status"] == "error: where to? The line has no \"out\", and there is no --output");
+    CHECK(lines_of(nowhere).at(0)["status"] ==
+          "error: where to? The line has no \"out\", and there is no --output");
 }
 
 TEST_CASE("What is wrong with the whole batch is said once", "[batch]") {
@@ -343,8 +367,8 @@ TEST_CASE("A batch whose output cannot be written ends; one whose reader has gon
     for (int i = 0; i < 5000; ++i) many += "none" + std::to_string(i) + ".png\n";
     write(folder / "in", many);
     // The shell's `true` reads nothing; the sleep lets it be gone.
-    const std::string command = "(sleep 0.2; \"$PANTIN\" batch -o none < '" + (folder / "in").string() + "' 2> '" +
-                                (folder / "err").string() + "') | true";
+    const std::string command = "(sleep 0.2; \"$PANTIN\" batch -o none < '" + (folder / "in").string() +
+                                "' 2> '" + (folder / "err").string() + "') | true";
     CHECK(std::system(command.c_str()) == 0);
     CHECK(read(folder / "err").empty());
 }

@@ -26,7 +26,8 @@ long count_of(const RgbImage& picture, Box box, Rgb8 colour) {
 
 } // namespace
 
-TEST_CASE("--compare draws all four skeletons and counts them, and does the step as ever", "[cli][skeleton]") {
+TEST_CASE("--compare draws all four skeletons and counts them, and does the step as ever",
+          "[cli][skeleton]") {
     const TemporaryFolder folder;
     copy_demo(folder / "out");
     const fs::path character = folder / "out/character-1";
@@ -81,9 +82,10 @@ TEST_CASE("--compare tells which method finds no skeleton", "[cli][skeleton]") {
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < 2 * side; ++x) labels(4 + x, 4 + y) = 3;
     save_png(character / "labels.png", labels);
-    write(folder / "options.json", R"({"skeletonization": {"lower_threshold": false, "residual_threshold": 300}})");
-    const Outcome outcome = run_pantin({"skeletonize", character.string(), "--compare", "--skeleton", "straight", "--config",
-                                        (folder / "options.json").string()});
+    write(folder / "options.json",
+          R"({"skeletonization": {"lower_threshold": false, "residual_threshold": 300}})");
+    const Outcome outcome = run_pantin({"skeletonize", character.string(), "--compare", "--skeleton",
+                                        "straight", "--config", (folder / "options.json").string()});
     REQUIRE(outcome.code == 0);
     const auto counts = nlohmann::json::parse(read(character / "skeletons.json"));
     CHECK(counts["voronoi"]["status"] == "the skeleton is a single point");
@@ -92,7 +94,8 @@ TEST_CASE("--compare tells which method finds no skeleton", "[cli][skeleton]") {
     CHECK(counts["straight"]["status"] == "ok");
 }
 
-TEST_CASE("--compare needs the drawing, and writes nothing when the step itself cannot go on", "[cli][skeleton]") {
+TEST_CASE("--compare needs the drawing, and writes nothing when the step itself cannot go on",
+          "[cli][skeleton]") {
     const TemporaryFolder folder;
     copy_demo(folder / "out");
     const fs::path character = folder / "out/character-1";

@@ -39,8 +39,10 @@ inline const std::filesystem::path& animated_model() {
     static const TemporaryFolder folder;
     static const std::filesystem::path out = [] {
         const std::filesystem::path to = folder / "out";
-        const Outcome outcome = run_pantin(std::vector<std::string>{"model", "testdata/models/cat.json", "-o", to.string(), "--animate", "--clip", "idle"} +
-                                           small_films);
+        const Outcome outcome =
+            run_pantin(std::vector<std::string>{"model", "testdata/models/cat.json", "-o", to.string(),
+                                                "--animate", "--clip", "idle"} +
+                       small_films);
         if (outcome.code != 0) throw std::runtime_error("model cat.json failed: " + outcome.err);
         return to;
     }();

@@ -131,14 +131,16 @@ TEST_CASE("Labels like confetti are a scribble", "[cli][end-to-end]") {
     save_png(demo.character / "labels.png", labels);
     const Outcome outcome = demo.run("identify");
     CHECK(outcome.code == 7);
-    CHECK(outcome.err == "pantin: " + demo.character.string() + ": identify: a scribble: its parts are scattered\n");
+    CHECK(outcome.err ==
+          "pantin: " + demo.character.string() + ": identify: a scribble: its parts are scattered\n");
 }
 
 TEST_CASE("A clip that the reference has not is refused with those that it has", "[cli][end-to-end]") {
     const DemoCopy demo;
     const Outcome outcome = demo.run("render", {"--clip", "dance"});
     CHECK(outcome.code == 7);
-    CHECK(outcome.err == "pantin: " + demo.character.string() + ": render: the flying has no clip 'dance' (fly, idle, glide)\n");
+    CHECK(outcome.err == "pantin: " + demo.character.string() +
+                             ": render: the flying has no clip 'dance' (fly, idle, glide)\n");
 }
 
 TEST_CASE("A folder stands alone, without page.json, too", "[cli][end-to-end]") {

@@ -17,7 +17,8 @@ using Json = nlohmann::json;
 // Page-sized pictures of the second character of the animated demo, made of its folder.
 struct Second {
     TemporaryFolder folder;
-    fs::path source = animated_demo() / "character-2", labels = folder / "labels.png", mask = folder / "mask.png";
+    fs::path source = animated_demo() / "character-2", labels = folder / "labels.png",
+             mask = folder / "mask.png";
     Box box;
     GreyImage whole;
     Second() {
@@ -35,7 +36,8 @@ struct Second {
     }
     fs::path out() const { return folder / "out"; }
     Outcome animate(const std::vector<std::string>& more) const {
-        return run_pantin(std::vector<std::string>{"animate", demo_page, "-o", out().string()} + more + small_films);
+        return run_pantin(std::vector<std::string>{"animate", demo_page, "-o", out().string()} + more +
+                          small_films);
     }
 };
 
@@ -102,6 +104,7 @@ TEST_CASE("Given pictures that do not fit are one line, exit code 3 and no files
     save_png(other, GreyImage(840, 600, 9));
     refused({"--labels", other}, "other.png: pixel (0, 0) has the value 9");
     refused({"--reference", "dragon"}, "there is no reference 'dragon' (humanoid, quadruped, flying");
-    const Outcome two = run_pantin({"animate", demo_page, small_page, "-o", second.out().string(), "--mask", other});
+    const Outcome two =
+        run_pantin({"animate", demo_page, small_page, "-o", second.out().string(), "--mask", other});
     CHECK(two.code == 2);
 }

@@ -1,5 +1,5 @@
-// Golden digests of every file of the demo page and of a model (docs/determinism.md says what is digested, and how
-// to update them).
+// Golden digests of every file of the demo page and of a model (docs/determinism.md says what is digested,
+// and how to update them).
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
@@ -45,7 +45,8 @@ void add_glb(Digest& digest, const std::vector<unsigned char>& bytes) {
     digest.add(glb.json.dump());
 }
 
-std::string digest_of(const std::filesystem::path& folder, const std::string& name, const std::string& bytes) {
+std::string digest_of(const std::filesystem::path& folder, const std::string& name,
+                      const std::string& bytes) {
     Digest digest;
     const std::vector<unsigned char> data(bytes.begin(), bytes.end());
     if (name.ends_with(".png"))
@@ -76,7 +77,8 @@ std::map<std::string, std::string> read_golden(const std::string& golden_file) {
 }
 
 // `call`: how the folder was made; the first line of the file.
-void check_golden(const std::filesystem::path& folder, const std::string& golden_file, const std::string& call) {
+void check_golden(const std::filesystem::path& folder, const std::string& golden_file,
+                  const std::string& call) {
     std::map<std::string, std::string> found;
     for (const auto& [name, bytes] : read_all(folder)) found[name] = digest_of(folder, name, bytes);
     if (std::getenv("PANTIN_UPDATE_GOLDEN")) {
@@ -103,9 +105,11 @@ void check_golden(const std::filesystem::path& folder, const std::string& golden
 } // namespace
 
 TEST_CASE("Every file of the demo page has its golden digest", "[cli][end-to-end][golden]") {
-    check_golden(animated_demo(), "tests/golden/demo.txt", "pantin animate testdata/demo.png --size 64 --fps 5");
+    check_golden(animated_demo(), "tests/golden/demo.txt",
+                 "pantin animate testdata/demo.png --size 64 --fps 5");
 }
 
 TEST_CASE("Every file of a model has its golden digest", "[cli][end-to-end][golden][model]") {
-    check_golden(animated_model(), "tests/golden/model.txt", "pantin model testdata/models/cat.json --animate --clip idle --size 64 --fps 5");
+    check_golden(animated_model(), "tests/golden/model.txt",
+                 "pantin model testdata/models/cat.json --animate --clip idle --size 64 --fps 5");
 }

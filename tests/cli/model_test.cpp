@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/demo.hpp"
-#include "pantin/image.hpp"
 #include "export/glb_file.hpp"
+#include "pantin/image.hpp"
 
 using namespace pantin;
 using namespace pantin::test;
@@ -28,10 +28,13 @@ Outcome model(const std::string& input, const fs::path& out, const std::vector<s
 struct Text {
     TemporaryFolder folder;
     fs::path file;
-    explicit Text(const std::string& text, const std::string& name = "strokes.json") : file(folder / name) { write(file, text); }
+    explicit Text(const std::string& text, const std::string& name = "strokes.json") : file(folder / name) {
+        write(file, text);
+    }
 };
 
-void check_refused(const std::string& text, const std::string& fact, const std::string& name = "strokes.json") {
+void check_refused(const std::string& text, const std::string& fact,
+                   const std::string& name = "strokes.json") {
     const Text input(text, name);
     const TemporaryFolder folder;
     const Outcome outcome = model(input.file.string(), folder / "out");
@@ -47,8 +50,9 @@ void check_refused(const std::string& text, const std::string& fact, const std::
 
 TEST_CASE("A model's folder has the solid, its skeleton and what the steps take", "[cli][model]") {
     const fs::path& out = animated_model();
-    for (const char* name : {"strokes.json", "model.json", "model.obj", "model.mtl", "model.glb", "views.png", "drawing.png", "mask.png",
-                             "labels.png", "skeleton.json", "identification.json", "mapping.json", "character.glb"})
+    for (const char* name :
+         {"strokes.json", "model.json", "model.obj", "model.mtl", "model.glb", "views.png", "drawing.png",
+          "mask.png", "labels.png", "skeleton.json", "identification.json", "mapping.json", "character.glb"})
         CHECK(fs::exists(out / name));
     CHECK(Json::parse(read(out / "identification.json"))["reference"] == "quadruped");
     const Json json = Json::parse(read(out / "model.json"));
@@ -69,7 +73,8 @@ TEST_CASE("A model's folder has the solid, its skeleton and what the steps take"
     CHECK(solid.json["animations"].size() >= 3);
 }
 
-TEST_CASE("The same strokes give the same bytes, from JSON, again and from the folder's own strokes.json", "[cli][model]") {
+TEST_CASE("The same strokes give the same bytes, from JSON, again and from the folder's own strokes.json",
+          "[cli][model]") {
     const Text input(stick);
     const TemporaryFolder folder;
     REQUIRE(model(input.file.string(), folder / "a").code == 0);
@@ -87,7 +92,8 @@ TEST_CASE("An SVG of the same strokes gives the same model", "[cli][model]") {
         <polygon id="body" points="40,40 60,40 64,70 60,100 40,100 36,70"/>
         <path id="head" d="M 50 6 L 66 16 V 34 L 50 46 L 34 34 V 16 Z"/>
         <g transform="translate(50 0)"><polygon id="arm" data-symmetric="true" points="8,46 40,50 42,60 6,58"/></g>
-        <polyline id="leg" data-symmetric="x" points="52 92 64 92 72 140 58 142 52 92"/></svg>)svg", "strokes.svg");
+        <polyline id="leg" data-symmetric="x" points="52 92 64 92 72 140 58 142 52 92"/></svg>)svg",
+                   "strokes.svg");
     const TemporaryFolder folder;
     REQUIRE(model(json.file.string(), folder / "a").code == 0);
     REQUIRE(model(svg.file.string(), folder / "b").code == 0);
@@ -98,14 +104,16 @@ TEST_CASE("Calls are played after the strokes", "[cli][model]") {
     const Text input(stick);
     const Text calls(R"({"calls": [{"move_part": {"part": "arm", "rotate": {"axis": "z", "degrees": 20}}},
         {"refine": {"prune": 0.2}}, {"remove_part": "head"},
-        {"add_part": {"name": "tail", "stroke": [[50, 84], [56, 90], [20, 130], [14, 126]]}}]})", "calls.json");
+        {"add_part": {"name": "tail", "stroke": [[50, 84], [56, 90], [20, 130], [14, 126]]}}]})",
+                     "calls.json");
     const TemporaryFolder folder;
     REQUIRE(model(input.file.string(), folder / "out", {"--calls", calls.file.string()}).code == 0);
     const Json parts = Json::parse(read(folder / "out" / "model.json"))["parts"];
     std::vector<std::string> names;
     for (const Json& part : parts) names.push_back(part["name"]);
     CHECK(names == std::vector<std::string>{"body", "arm", "arm.mirrored", "leg", "leg.mirrored", "tail"});
-    REQUIRE(model((folder / "out" / "strokes.json").string(), folder / "again").code == 0); // the calls are kept
+    REQUIRE(model((folder / "out" / "strokes.json").string(), folder / "again").code ==
+            0); // the calls are kept
     CHECK((read_all(folder / "again") == read_all(folder / "out")));
     const Text bad(R"({"calls": [{"remove_part": "wing"}]})", "calls.json");
     const Outcome outcome = model(input.file.string(), folder / "bad", {"--calls", bad.file.string()});
@@ -113,11 +121,13 @@ TEST_CASE("Calls are played after the strokes", "[cli][model]") {
     CHECK(outcome.err.find("there is no part 'wing'") != std::string::npos);
 }
 
-TEST_CASE("A scanned character becomes a solid that walks with the drawing on it", "[cli][model][end-to-end]") {
+TEST_CASE("A scanned character becomes a solid that walks with the drawing on it",
+          "[cli][model][end-to-end]") {
     const TemporaryFolder folder;
     copy_demo(folder / "out");
     const fs::path character = folder / "out" / "character-1";
-    const Outcome outcome = run_pantin(std::vector<std::string>{"model", character.string(), "--animate", "--clip", "idle"} + small_films);
+    const Outcome outcome = run_pantin(
+        std::vector<std::string>{"model", character.string(), "--animate", "--clip", "idle"} + small_films);
     CAPTURE(outcome.err);
     REQUIRE(outcome.code == 0);
     const fs::path out = character / "model";
@@ -134,7 +144,8 @@ TEST_CASE("Bad strokes are refused in one line, and nothing is written", "[cli][
     check_refused(R"({"parts": [{"name": "a", "stroke": [[0, 0], [1, 1], [2, 2], [3, 3]]}]})", "part 'a'");
     check_refused(R"({"parts": [{"name": "a", "stroke": [[0, 0], [1, null], [2, 5]]}]})", "must be a number");
     check_refused(R"({"parts": [{"name": "a", "stroke": [[0, 0], [9, 0], [0, 9]], "parent": "b"},
-                                {"name": "b", "stroke": [[0, 0], [9, 0], [0, 9]], "parent": "a"}]})", "does not come before it");
+                                {"name": "b", "stroke": [[0, 0], [9, 0], [0, 9]], "parent": "a"}]})",
+                  "does not come before it");
     check_refused("<svg><path id='a' d='M 0 0 L 5'/></svg>", "path 'a': d, character 10", "strokes.svg");
     check_refused("<svg", "", "strokes.svg");
     check_refused("0 0 1 1", "must be a .json or .svg file", "strokes.txt");
@@ -145,7 +156,8 @@ TEST_CASE("Bad strokes are refused in one line, and nothing is written", "[cli][
 }
 
 TEST_CASE("Bad strokes that can be repaired are repaired and reported", "[cli][model]") {
-    const Text input(R"({"parts": [{"name": "eight", "stroke": [[0, 0], [0, 0], [40, 40], [40, 0], [0, 44]]}]})");
+    const Text input(
+        R"({"parts": [{"name": "eight", "stroke": [[0, 0], [0, 0], [40, 40], [40, 0], [0, 44]]}]})");
     const TemporaryFolder folder;
     const Outcome outcome = model(input.file.string(), folder / "out");
     CAPTURE(outcome.err);

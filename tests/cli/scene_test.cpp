@@ -25,7 +25,8 @@ fs::path fake_ffmpeg(const TemporaryFolder& folder, const std::string& script) {
 Environment with_path(const fs::path& first) { return {{"PATH", first.string() + ":/usr/bin:/bin"}}; }
 
 std::vector<std::string> to_mp4(const fs::path& out) {
-    return std::vector<std::string>{"animate", small_page, "-o", out.string(), "--format", "mp4", "--clip", "walk"} +
+    return std::vector<std::string>{"animate",  small_page, "-o",     out.string(),
+                                    "--format", "mp4",      "--clip", "walk"} +
            small_films;
 }
 
@@ -40,7 +41,8 @@ double difference(const RgbImage& a, const RgbImage& b) {
 TEST_CASE("--format mp4 hands ffmpeg the raw frames of three seconds", "[cli][mp4]") {
     const TemporaryFolder folder, programs;
     // It writes down how it was called and how many bytes came, to the file that its last argument names.
-    const fs::path path = fake_ffmpeg(programs, "for last; do :; done\necho \"$*\" > \"$last\"\nwc -c >> \"$last\"\n");
+    const fs::path path =
+        fake_ffmpeg(programs, "for last; do :; done\necho \"$*\" > \"$last\"\nwc -c >> \"$last\"\n");
     const Outcome outcome = run_pantin(to_mp4(folder / "out"), with_path(path));
     REQUIRE(outcome.code == 0);
     const std::string film = read(folder / "out/character-1/animation.mp4");
@@ -76,12 +78,14 @@ TEST_CASE("--format mp4 without ffmpeg is a usage error before anything is writt
 TEST_CASE("--scene shows the page with every character in its place, moving", "[cli][scene]") {
     const TemporaryFolder folder;
     const fs::path out = folder / "out";
-    const std::vector<std::string> line{"animate", demo_page, "-o", out.string(), "--scene", "--format", "png",
-                                        "--size",  "210",     "--fps", "4", "--clip", "idle"};
+    const std::vector<std::string> line{"animate",  demo_page, "-o",     out.string(), "--scene",
+                                        "--format", "png",     "--size", "210",        "--fps",
+                                        "4",        "--clip",  "idle"};
     REQUIRE(run_pantin(line).code == 0);
     const RgbImage page = resize(load_image(demo_page), 210, 150);
     std::vector<RgbImage> frames;
-    for (const auto& [name, bytes] : read_all(out / "frames/scene")) frames.push_back(load_image(out / "frames/scene" / name));
+    for (const auto& [name, bytes] : read_all(out / "frames/scene"))
+        frames.push_back(load_image(out / "frames/scene" / name));
     REQUIRE(frames.size() >= 8);
     for (const RgbImage& frame : frames) {
         REQUIRE(frame.width() == page.width());
@@ -93,12 +97,13 @@ TEST_CASE("--scene shows the page with every character in its place, moving", "[
     CHECK(frames[0](0, 0) == frames[4](0, 0));
 }
 
-TEST_CASE("--motion gives humanoids one more clip, prints its joints, and writes films, GLB and BVH", "[cli][motion]") {
+TEST_CASE("--motion gives humanoids one more clip, prints its joints, and writes films, GLB and BVH",
+          "[cli][motion]") {
     const TemporaryFolder folder;
     const fs::path file = folder / "jack.bvh", out = folder / "out";
     write(file, performer(mixamo, jumping_jack, 16));
-    const std::vector<std::string> line{"animate", small_page, "-o", out.string(), "--motion", file.string(),
-                                        "--clip",  "jack",     "--format", "bvh,png"};
+    const std::vector<std::string> line{"animate",     small_page, "-o",   out.string(), "--motion",
+                                        file.string(), "--clip",   "jack", "--format",   "bvh,png"};
     const Outcome outcome = run_pantin(line + small_films);
     REQUIRE(outcome.code == 0);
     CHECK(outcome.out.find("jack: left upper arm: mixamorig:LeftArm\n") != std::string::npos);
@@ -112,12 +117,14 @@ TEST_CASE("--motion gives humanoids one more clip, prints its joints, and writes
     CHECK((read_all(out / "character-1") == before));
 }
 
-TEST_CASE("A motion that cannot be used is one line and exit code 3 before anything is written", "[cli][motion]") {
+TEST_CASE("A motion that cannot be used is one line and exit code 3 before anything is written",
+          "[cli][motion]") {
     const TemporaryFolder folder;
     const fs::path out = folder / "out";
     for (const std::string text : {"HIERARCHY", ""}) {
         write(folder / "bad.bvh", text);
-        const Outcome outcome = run_pantin({"animate", small_page, "-o", out.string(), "--motion", (folder / "bad.bvh").string()});
+        const Outcome outcome = run_pantin(
+            {"animate", small_page, "-o", out.string(), "--motion", (folder / "bad.bvh").string()});
         CHECK(outcome.code == 3);
         CHECK(outcome.err.find("bad.bvh: line 1: ") != std::string::npos);
         CHECK_FALSE(fs::exists(out));
@@ -134,7 +141,8 @@ TEST_CASE("--blend is the same in one go and step by step", "[cli][blend]") {
     CHECK(read_all(out / "character-1") == before);
 }
 
-TEST_CASE("skeletonize --skeleton takes another kind of skeleton, and the next steps go on from it", "[cli][skeleton]") {
+TEST_CASE("skeletonize --skeleton takes another kind of skeleton, and the next steps go on from it",
+          "[cli][skeleton]") {
     const TemporaryFolder folder;
     const fs::path out = folder / "out", character = out / "character-1";
     REQUIRE(run_pantin({"animate", small_page, "-o", out.string(), "--format", "bvh"}).code == 0);

@@ -24,7 +24,8 @@ void check_line(const Outcome& outcome, int code, const std::string& fact) {
 
 } // namespace
 
-TEST_CASE("verify prints a table, writes what is asked for only, and its output equals itself", "[cli][verify]") {
+TEST_CASE("verify prints a table, writes what is asked for only, and its output equals itself",
+          "[cli][verify]") {
     const TemporaryFolder folder;
     const Outcome one = run_pantin({"verify", "--threads", "1", "-o", (folder / "one").string()});
     CAPTURE(one.out, one.err);
@@ -33,9 +34,11 @@ TEST_CASE("verify prints a table, writes what is asked for only, and its output 
     CHECK(one.out.find("\nskeletonize ok          ok          ok\n") != std::string::npos);
     CHECK(one.out.find("DIFFERS") == std::string::npos);
     CHECK(fs::exists(folder / "one/humanoid/character-1/model/solid.json"));
-    const Outcome two = run_pantin({"verify", "--threads", "2", "--end-to-end", "-o", (folder / "two").string()});
+    const Outcome two =
+        run_pantin({"verify", "--threads", "2", "--end-to-end", "-o", (folder / "two").string()});
     CHECK(two.out == one.out); // the digest is in it
-    const Outcome same = run_pantin({"verify", (folder / "one").string(), "--against", (folder / "two").string()});
+    const Outcome same =
+        run_pantin({"verify", (folder / "one").string(), "--against", (folder / "two").string()});
     CHECK(same.code == 0);
     CHECK(same.out.find("0 of ") == 0);
     const Outcome quiet = run_pantin({"verify", "--quiet"});
@@ -44,7 +47,8 @@ TEST_CASE("verify prints a table, writes what is asked for only, and its output 
     CHECK(quiet.err.empty());
 }
 
-TEST_CASE("A difference is exit code 8 and names the stage, the file, the place and both values", "[cli][verify]") {
+TEST_CASE("A difference is exit code 8 and names the stage, the file, the place and both values",
+          "[cli][verify]") {
     const TemporaryFolder folder;
     write(folder / "options.json", R"({"rigging.limb_segments": 1})");
     const Outcome outcome = run_pantin({"verify", "--config", (folder / "options.json").string()});
@@ -54,7 +58,8 @@ TEST_CASE("A difference is exit code 8 and names the stage, the file, the place 
     CHECK(outcome.out.find(" elements, stored ") != std::string::npos);
 }
 
-TEST_CASE("Output folders of animate are compared by values, with pictures of where they differ", "[cli][verify]") {
+TEST_CASE("Output folders of animate are compared by values, with pictures of where they differ",
+          "[cli][verify]") {
     const TemporaryFolder folder;
     copy_demo(folder / "other");
     const std::string demo = animated_demo().string(), other = (folder / "other").string();
@@ -63,7 +68,8 @@ TEST_CASE("Output folders of animate are compared by values, with pictures of wh
     GreyImage image = load_grey(labels);
     for (int x = 10; x < 20; ++x) image(x, 30) = 3 - image(x, 30) / 2;
     save_png(labels, image);
-    const Outcome outcome = run_pantin({"verify", demo, "--against", other, "-o", (folder / "where").string()});
+    const Outcome outcome =
+        run_pantin({"verify", demo, "--against", other, "-o", (folder / "where").string()});
     check_line(outcome, 8, "first in segment (character-1/labels.png)");
     CHECK(outcome.out.starts_with("segment\n  character-1/labels.png: pixel (10, 30), red: "));
     const RgbImage where = load_image(folder / "where/character-1/labels.png");
@@ -83,14 +89,19 @@ TEST_CASE("verify: wrong calls and folders", "[cli][verify]") {
 
 TEST_CASE("make vectors: the same archive twice, and its checksums hold", "[cli][verify]") {
     const TemporaryFolder folder;
-    const std::string build = fs::path(std::getenv("PANTIN")).parent_path().string(), name = "pantin-vectors-" PANTIN_VERSION;
-    const auto shell = [](const std::string& line) { return std::system((line + " >/dev/null 2>&1").c_str()); };
+    const std::string build = fs::path(std::getenv("PANTIN")).parent_path().string(),
+                      name = "pantin-vectors-" PANTIN_VERSION;
+    const auto shell = [](const std::string& line) {
+        return std::system((line + " >/dev/null 2>&1").c_str());
+    };
     for (const char* side : {"a", "b"})
-        REQUIRE(shell("env -u MAKEFLAGS -u MAKELEVEL make vectors-files BUILD=" + build + " vectors_out=" + (folder / side).string()) == 0);
+        REQUIRE(shell("env -u MAKEFLAGS -u MAKELEVEL make vectors-files BUILD=" + build +
+                      " vectors_out=" + (folder / side).string()) == 0);
     const std::string archive = read(folder / "a" / (name + ".tar.gz"));
     CHECK(archive.size() > 1'000'000); // with the weights
     CHECK(archive == read(folder / "b" / (name + ".tar.gz")));
-    REQUIRE(shell("mkdir " + (folder / "c").string() + " && tar -C " + (folder / "c").string() + " -xzf " + (folder / "a").string() + "/" + name + ".tar.gz") == 0);
+    REQUIRE(shell("mkdir " + (folder / "c").string() + " && tar -C " + (folder / "c").string() + " -xzf " +
+                  (folder / "a").string() + "/" + name + ".tar.gz") == 0);
     CHECK(shell("cd " + (folder / "c").string() + "/" + name + " && sha256sum --strict -c SHA256SUMS") == 0);
     const std::string sums = read(folder / "c" / name / "SHA256SUMS");
     for (const auto& [file, bytes] : read_all(folder / "c" / name)) {

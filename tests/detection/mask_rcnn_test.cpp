@@ -38,7 +38,8 @@ double value_at(const Tensor& image, int channel, double x, double y) {
     y = std::clamp(y, 0.0, image.height() - 1.0);
     const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
     const int x1 = std::min(x0 + 1, image.width() - 1), y1 = std::min(y0 + 1, image.height() - 1);
-    return (1 - (y - y0)) * ((1 - (x - x0)) * image(0, channel, y0, x0) + (x - x0) * image(0, channel, y0, x1)) +
+    return (1 - (y - y0)) *
+               ((1 - (x - x0)) * image(0, channel, y0, x0) + (x - x0) * image(0, channel, y0, x1)) +
            (y - y0) * ((1 - (x - x0)) * image(0, channel, y1, x0) + (x - x0) * image(0, channel, y1, x1));
 }
 
@@ -165,9 +166,11 @@ TEST_CASE("A Mask R-CNN weight file that does not fit is refused with the fact")
     CHECK(failure(weights()).empty());
     CHECK(failure(with_text(weights(), "backbone.body.conv1.weight", "backbone.body.conv9.weight")) ==
           "w: tensor 'backbone.body.conv1.weight' is missing");
-    CHECK(failure(with_text(weights(), "\"anchor_ratios\":\"0.5,1.0,2.0\"", "\"anchor_ratios\":\"0.5,1.0,-20\"")) ==
+    CHECK(failure(with_text(weights(), "\"anchor_ratios\":\"0.5,1.0,2.0\"",
+                            "\"anchor_ratios\":\"0.5,1.0,-20\"")) ==
           "w: metadata 'anchor_ratios' must be positive");
-    CHECK(failure(with_text(weights(), "\"anchor_ratios\":\"0.5,1.0,2.0\"", "\"anchor_ratios\":\"0.5,1.00002\"")) ==
+    CHECK(failure(with_text(weights(), "\"anchor_ratios\":\"0.5,1.0,2.0\"",
+                            "\"anchor_ratios\":\"0.5,1.00002\"")) ==
           "w: the proposal head has another number of anchors than metadata 'anchor_ratios'");
     CHECK(failure(with_text(weights(), "\"min_size\":\"96\"", "\"min_size\":\"9x\"")) ==
           "w: metadata 'min_size' is no list of numbers");

@@ -1,5 +1,5 @@
-// Ink grouped by what a network claims: whole pieces, divided pieces, pieces that nobody claims; the finder on a
-// page with a small network.
+// Ink grouped by what a network claims: whole pieces, divided pieces, pieces that nobody claims; the finder
+// on a page with a small network.
 #include <catch2/catch.hpp>
 
 #include "core/file.hpp"
@@ -86,11 +86,11 @@ TEST_CASE("A detection mostly inside a larger one that is as sure is a part of i
     const CharacterFinder::Found whole = found(0.9, 0, 80, 0.9f);
     CHECK(count({whole, found(0.8, 10, 40, 0.9f)}) == 1);
     CHECK(count({whole, found(0.8, 10, 40, 0.9f)}, {.contained_share = 1.01}) == 2);
-    CHECK(count({whole, found(0.8, 70, 110, 0.9f)}) == 2);                   // a quarter of it lies inside
-    CHECK(count({found(0.9, 0, 80, 0.2f), found(0.8, 10, 40, 0.9f)}) == 2);  // the larger mask does not say so
-    CHECK(count({found(0.95, 10, 40, 0.9f), whole}) == 2);                   // the smaller one is surer
-    CHECK(count({whole, whole}) == 2);                                       // neither is larger
-    CHECK(count({whole, found(0.4, 100, 140, 0.9f)}) == 1);                  // not sure enough
+    CHECK(count({whole, found(0.8, 70, 110, 0.9f)}) == 2);                  // a quarter of it lies inside
+    CHECK(count({found(0.9, 0, 80, 0.2f), found(0.8, 10, 40, 0.9f)}) == 2); // the larger mask does not say so
+    CHECK(count({found(0.95, 10, 40, 0.9f), whole}) == 2);                  // the smaller one is surer
+    CHECK(count({whole, whole}) == 2);                                      // neither is larger
+    CHECK(count({whole, found(0.4, 100, 140, 0.9f)}) == 1);                 // not sure enough
 }
 
 TEST_CASE("The finder reads a page of any size and gives places on it") {

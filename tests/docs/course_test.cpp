@@ -44,9 +44,11 @@ int count(const std::string& text, const std::string& what) {
 } // namespace
 
 // Commands stand in blocks of `sh`; the block of `text` in the fold below is what the last one printed.
-TEST_CASE("Every exercise of the course has the answer that the program gives", "[docs][course][end-to-end]") {
+TEST_CASE("Every exercise of the course has the answer that the program gives",
+          "[docs][course][end-to-end]") {
     const TemporaryFolder folder;
-    for (const char* name : {"testdata", "references"}) fs::create_directory_symlink(fs::absolute(name), folder / name);
+    for (const char* name : {"testdata", "references"})
+        fs::create_directory_symlink(fs::absolute(name), folder / name);
     fs::create_directory(folder / "out");
     copy_demo(folder / "out/demo"); // as `make demo`, with smaller films
     for (const fs::path& page : pages()) {
@@ -75,7 +77,8 @@ TEST_CASE("Every page of the course has its sections and stands in the contents"
     for (const fs::path& page : pages()) {
         CAPTURE(page.string());
         const std::string text = read(page);
-        for (const char* section : {"\n**In:** ", "\n## Why\n", "\n## How", "\n## In the source\n", "\n## Exercises\n"})
+        for (const char* section :
+             {"\n**In:** ", "\n## Why\n", "\n## How", "\n## In the source\n", "\n## Exercises\n"})
             CHECK(text.find(section) != std::string::npos);
         CHECK(text.find("\n![") != std::string::npos); // a figure
         CHECK(text.find("errat") != std::string::npos);

@@ -1,4 +1,5 @@
-// Links between the pages of the documentation lead somewhere, and so do the names of tests in docs/robustness.md.
+// Links between the pages of the documentation lead somewhere, and so do the names of tests in
+// docs/robustness.md.
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -36,14 +37,16 @@ std::string anchor_of(const std::string& heading) {
 std::set<std::string> anchors_of(const std::string& page) {
     static const std::regex heading("(^|\n)#+ ([^\n]+)");
     std::set<std::string> anchors;
-    for (std::sregex_iterator match(page.begin(), page.end(), heading), end; match != end; ++match) anchors.insert(anchor_of((*match)[2]));
+    for (std::sregex_iterator match(page.begin(), page.end(), heading), end; match != end; ++match)
+        anchors.insert(anchor_of((*match)[2]));
     return anchors;
 }
 
 std::vector<std::string> targets_in(const std::string& page) {
     static const std::regex link(R"(\]\(([^()\s]+)\))");
     std::vector<std::string> targets;
-    for (std::sregex_iterator match(page.begin(), page.end(), link), end; match != end; ++match) targets.push_back((*match)[1]);
+    for (std::sregex_iterator match(page.begin(), page.end(), link), end; match != end; ++match)
+        targets.push_back((*match)[1]);
     return targets;
 }
 
@@ -60,7 +63,8 @@ TEST_CASE("Every link of the documentation leads to a file, and to a heading in 
             const std::string file = target.substr(0, hash);
             const fs::path path = file.empty() ? page : page.parent_path() / file;
             CHECK(fs::exists(path));
-            if (hash != std::string::npos && fs::is_regular_file(path)) CHECK(anchors_of(read(path)).contains(target.substr(hash + 1)));
+            if (hash != std::string::npos && fs::is_regular_file(path))
+                CHECK(anchors_of(read(path)).contains(target.substr(hash + 1)));
             ++links;
         }
     }

@@ -64,11 +64,12 @@ struct Allowed {
     std::set<std::string> free;     // places that take any value
 };
 
-// Damages a value in all ways, one at a time: a key more, a key less, a value of another type. Places: keys joined by points, * for
-// the elements of a list. Of a list the first element is damaged.
+// Damages a value in all ways, one at a time: a key more, a key less, a value of another type. Places: keys
+// joined by points, * for the elements of a list. Of a list the first element is damaged.
 class Damager {
 public:
-    Damager(std::string schema, Json value, Allowed allowed) : schema_(std::move(schema)), value_(std::move(value)), allowed_(std::move(allowed)) {}
+    Damager(std::string schema, Json value, Allowed allowed)
+        : schema_(std::move(schema)), value_(std::move(value)), allowed_(std::move(allowed)) {}
 
     int run() {
         visit(value_, "");
@@ -137,25 +138,33 @@ Json character_json(const std::string& name) { return Json::parse(read(traced_ch
 } // namespace
 
 TEST_CASE("Every JSON file of an animated page is as its schema says", "[docs][schemas]") {
-    CHECK(check_folder(animated_demo()) == std::set<std::string>{"page", "segmentation", "contour", "skeleton", "identification", "mapping"});
-    CHECK(check_folder(traced_character()) ==
-          std::set<std::string>{"segmentation", "contour", "skeleton", "skeletons", "identification", "mapping", "voronoi"});
+    CHECK(check_folder(animated_demo()) ==
+          std::set<std::string>{"page", "segmentation", "contour", "skeleton", "identification", "mapping"});
+    CHECK(check_folder(traced_character()) == std::set<std::string>{"segmentation", "contour", "skeleton",
+                                                                    "skeletons", "identification", "mapping",
+                                                                    "voronoi"});
 }
 
 TEST_CASE("Every JSON file of a model is as its schema says", "[docs][schemas]") {
-    CHECK(check_folder(animated_model()) == std::set<std::string>{"strokes", "model", "skeleton", "identification", "mapping"});
+    CHECK(check_folder(animated_model()) ==
+          std::set<std::string>{"strokes", "model", "skeleton", "identification", "mapping"});
     for (const auto& entry : fs::directory_iterator("testdata/models"))
-        if (entry.path().extension() == ".json") CHECK(schema_violation("strokes", Json::parse(read(entry.path()))) == "");
+        if (entry.path().extension() == ".json")
+            CHECK(schema_violation("strokes", Json::parse(read(entry.path()))) == "");
 }
 
-TEST_CASE("Every JSON file of the reference vectors is as its schema says, and damaged ones are not", "[docs][schemas]") {
-    const std::set<std::string> own = {"found", "probabilities", "mesh", "bones", "depths", "animations", "posed", "inflation", "solid"};
+TEST_CASE("Every JSON file of the reference vectors is as its schema says, and damaged ones are not",
+          "[docs][schemas]") {
+    const std::set<std::string> own = {"found",      "probabilities", "mesh",      "bones", "depths",
+                                       "animations", "posed",         "inflation", "solid"};
     const std::set<std::string> met = check_folder("testdata/vectors");
     CHECK(std::includes(met.begin(), met.end(), own.begin(), own.end()));
     const fs::path vectors = "testdata/vectors/humanoid", character = vectors / "character-1";
-    for (const fs::path& file : {vectors / "found.json", character / "trace/probabilities.json", character / "trace/mesh.json",
-                                 character / "trace/bones.json", character / "trace/depths.json", character / "trace/animations.json",
-                                 character / "trace/posed.json", character / "model/inflation.json", character / "model/solid.json"})
+    for (const fs::path& file :
+         {vectors / "found.json", character / "trace/probabilities.json", character / "trace/mesh.json",
+          character / "trace/bones.json", character / "trace/depths.json",
+          character / "trace/animations.json", character / "trace/posed.json",
+          character / "model/inflation.json", character / "model/solid.json"})
         CHECK(Damager(file.stem().string(), Json::parse(read(file)), {}).run() >= 5);
 }
 
@@ -171,36 +180,51 @@ TEST_CASE("The compiled-in references are as their schema says", "[docs][schemas
 
 TEST_CASE("The lines that batch reads and writes are as their schemas say", "[docs][schemas]") {
     const TemporaryFolder folder;
-    const std::string good = Json{{"image", small_page}, {"clip", "idle"}, {"formats", {"gif"}}, {"config", {{"rigging.limb_segments", 1}}}}.dump();
+    const std::string good = Json{{"image", small_page},
+                                  {"clip", "idle"},
+                                  {"formats", {"gif"}},
+                                  {"config", {{"rigging.limb_segments", 1}}}}
+                                 .dump();
     const std::string input = good + "\n{\"image\": \"none.png\", \"rotate\": 90}\nno JSON either\n{\n";
     CHECK(schema_violation("batch-input", Json::parse(good)) == "");
-    const Outcome outcome =
-        run_pantin(std::vector<std::string>{"batch", "-o", (folder / "out").string(), "--seconds"} + small_films, {}, "", input);
+    const Outcome outcome = run_pantin(
+        std::vector<std::string>{"batch", "-o", (folder / "out").string(), "--seconds"} + small_films, {}, "",
+        input);
     const std::vector<Json> lines = lines_of(outcome.out);
     REQUIRE(lines.size() == 4);
     CHECK(lines[0]["code"] == 0);
     for (const Json& line : lines) CHECK(schema_violation("batch-output", line) == "");
     check_folder(folder / "out");
     CHECK(Damager("batch-output", lines[0], {{}, {"seconds"}, {}}).run() > 15);
-    CHECK(Damager("batch-input", Json::parse(good), {{"config"}, {"clip", "formats", "config"}, {"config", "config.rigging.limb_segments"}}).run() > 5);
+    CHECK(Damager("batch-input", Json::parse(good),
+                  {{"config"}, {"clip", "formats", "config"}, {"config", "config.rigging.limb_segments"}})
+              .run() > 5);
 }
 
 TEST_CASE("A dataset and its evaluation are as their schemas say", "[docs][schemas]") {
     const TemporaryFolder folder;
     write_dataset(folder / "data", 1);
-    for (const Json& line : lines_of(read(folder / "data/index.ndjson"))) CHECK(schema_violation("dataset", line) == "");
+    for (const Json& line : lines_of(read(folder / "data/index.ndjson")))
+        CHECK(schema_violation("dataset", line) == "");
     CHECK(schema_violation("dataset", {{"id", "../a"}}) != "");
     CHECK(schema_violation("dataset", {{"type", "humanoid"}}) != "");
     REQUIRE(run_pantin({"evaluate", (folder / "data").string(), "-o", (folder / "out").string()}).code == 0);
     CHECK(check_folder(folder / "out").contains("evaluation"));
     const Json evaluation = Json::parse(read(folder / "out/evaluation.json"));
-    const int damages = Damager("evaluation", evaluation, {{"segmentation", "identification", "identification.humanoid", "identification.quadruped"}, {}, {}}).run();
+    const int damages =
+        Damager("evaluation", evaluation,
+                {{"segmentation", "identification", "identification.humanoid", "identification.quadruped"},
+                 {},
+                 {}})
+            .run();
     CHECK(damages > 100);
 }
 
 TEST_CASE("Examples in the documentation are as the schemas say", "[docs][schemas]") {
-    const std::vector<std::string> formats = json_blocks("docs/formats.md"), modeling = json_blocks("docs/modeling.md"),
-                                   references = json_blocks("docs/references.md"), batch = json_blocks("docs/batch.md");
+    const std::vector<std::string> formats = json_blocks("docs/formats.md"),
+                                   modeling = json_blocks("docs/modeling.md"),
+                                   references = json_blocks("docs/references.md"),
+                                   batch = json_blocks("docs/batch.md");
     REQUIRE((formats.size() == 3 && modeling.size() == 1 && references.size() == 1 && batch.size() == 2));
     CHECK(schema_violation("page", Json::parse(formats[0])) == "");
     CHECK(schema_violation("skeleton", Json::parse(formats[1])) == "");
@@ -211,10 +235,12 @@ TEST_CASE("Examples in the documentation are as the schemas say", "[docs][schema
     for (const Json& line : lines_of(batch[1])) CHECK(schema_violation("batch-output", line) == "");
 }
 
-TEST_CASE("The schema of the configuration has every option, nested and dotted, and no other", "[docs][schemas]") {
+TEST_CASE("The schema of the configuration has every option, nested and dotted, and no other",
+          "[docs][schemas]") {
     const Json schema = read_schema("configuration");
     std::set<std::string> dotted, groups;
-    for (const auto& [key, ignored] : schema["properties"].items()) (key.find('.') == std::string::npos ? groups : dotted).insert(key);
+    for (const auto& [key, ignored] : schema["properties"].items())
+        (key.find('.') == std::string::npos ? groups : dotted).insert(key);
     dotted.erase("identification.label_values"); // nested once more
     std::set<std::string> options;
     Json all = Json::object();
@@ -229,19 +255,23 @@ TEST_CASE("The schema of the configuration has every option, nested and dotted, 
             if (json.is_number_float() && json == Json(json.get<long>())) json = json.get<long>();
             all[name] = json;
             CHECK(schema_violation("configuration", {{name, json}}) == "");
-            CHECK(schema_violation("configuration", {{name.substr(0, point), {{name.substr(point + 1), json}}}}) == "");
+            CHECK(schema_violation("configuration",
+                                   {{name.substr(0, point), {{name.substr(point + 1), json}}}}) == "");
             CHECK(schema_violation("configuration", {{name, "another type"}}) != "");
-            CHECK(schema_violation("configuration", {{name.substr(0, point), {{name.substr(point + 1), Json::array()}}}}) != "");
+            CHECK(schema_violation("configuration", {{name.substr(0, point),
+                                                      {{name.substr(point + 1), Json::array()}}}}) != "");
         }
     CHECK(dotted == options);
     CHECK(schema_violation("configuration", all) == "");
     CHECK(schema_violation("configuration", {{"identification", {{"label_values", {{"wing", 9}}}}}}) == "");
     CHECK(schema_violation("configuration", {{"detection.speed", 1}}) != "");
     CHECK(schema_violation("configuration", {{"detection", {{"speed", 1}}}}) != "");
-    CHECK(schema_violation("configuration", {{"rigging.limb_segments", 5}}) != ""); // out of range, as for the program
+    CHECK(schema_violation("configuration", {{"rigging.limb_segments", 5}}) !=
+          ""); // out of range, as for the program
 }
 
-TEST_CASE("No file with a key too many, a missing key or a value of another type is let through", "[docs][schemas]") {
+TEST_CASE("No file with a key too many, a missing key or a value of another type is let through",
+          "[docs][schemas]") {
     const auto damages = [](const std::string& schema, const Json& value, const Allowed& allowed = {}) {
         return Damager(schema, value, allowed).run();
     };
@@ -255,9 +285,13 @@ TEST_CASE("No file with a key too many, a missing key or a value of another type
     // Terms of the evidence depend on the options.
     Allowed evidence;
     const Json identification = character_json("identification.json");
-    for (const auto& [term, ignored] : identification["candidates"][0]["evidence"].items()) evidence.optional.insert("candidates*.evidence." + term);
+    for (const auto& [term, ignored] : identification["candidates"][0]["evidence"].items())
+        evidence.optional.insert("candidates*.evidence." + term);
     CHECK(damages("identification", identification, evidence) > 30);
-    const Allowed strokes = {{}, {"origin", "parts*.depth", "parts*.view", "parts*.symmetric", "parts*.parent", "parts*.height", "parts*.label", "parts*.colour"}, {}};
+    const Allowed strokes = {{},
+                             {"origin", "parts*.depth", "parts*.view", "parts*.symmetric", "parts*.parent",
+                              "parts*.height", "parts*.label", "parts*.colour"},
+                             {}};
     CHECK(damages("strokes", Json::parse(read(animated_model() / "strokes.json")), strokes) >= 15);
     const Json model = Json::parse(read(animated_model() / "model.json"));
     CHECK(damages("model", model, {{}, {"joints*.parent"}, {}}) > 40);

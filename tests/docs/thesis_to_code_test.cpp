@@ -31,13 +31,15 @@ std::vector<std::string> numbered() {
     add("3.", 1, 4);
     add("4.", 1, 6);
     add("6.", 1, 3);
-    for (const char* place : {"1", "2", "7", "Def. 3.4.1", "Table 5.1", "Fig. 6.9", "Fig. 6.10", "RealSkel Eq. (1)", "RealSkel 4.1, weights", "RealSkel Table 2"})
+    for (const char* place : {"1", "2", "7", "Def. 3.4.1", "Table 5.1", "Fig. 6.9", "Fig. 6.10",
+                              "RealSkel Eq. (1)", "RealSkel 4.1, weights", "RealSkel Table 2"})
         places.emplace_back(place);
     add("RealSkel Algorithm ", 1, 3);
     add("RealSkel Def. ", 1, 6);
     add("RealSkel 3.", 1, 3);
     add("RealSkel Fig. ", 2, 11);
-    for (const char* place : {"RealSkel 1", "RealSkel 2", "RealSkel 4", "RealSkel 4.2", "RealSkel 5"}) places.emplace_back(place);
+    for (const char* place : {"RealSkel 1", "RealSkel 2", "RealSkel 4", "RealSkel 4.2", "RealSkel 5"})
+        places.emplace_back(place);
     return places;
 }
 
@@ -61,16 +63,19 @@ struct Named {
 std::vector<Named> functions_in(const std::string& cell) {
     static const std::regex link(R"(\[`([^`]+)`\]\(([^)]+)\))");
     std::vector<Named> found;
-    for (std::sregex_iterator match(cell.begin(), cell.end(), link), end; match != end; ++match) found.push_back({(*match)[1], (*match)[2]});
+    for (std::sregex_iterator match(cell.begin(), cell.end(), link), end; match != end; ++match)
+        found.push_back({(*match)[1], (*match)[2]});
     return found;
 }
 
 bool is_word(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)); }
 
-// Whether only words, ::, <>, &, * and blanks stand between the line's beginning and the name, and none is a statement's keyword.
+// Whether only words, ::, <>, &, * and blanks stand between the line's beginning and the name, and none is a
+// statement's keyword.
 bool begins_declaration(const std::string& before) {
     static const std::regex type(R"([\w\s:<>,&*\[\]]*)"), statement(R"(\b(return|else|throw|case|new)\b)");
-    return before.find_first_not_of(' ') != std::string::npos && std::regex_match(before, type) && !std::regex_search(before, statement);
+    return before.find_first_not_of(' ') != std::string::npos && std::regex_match(before, type) &&
+           !std::regex_search(before, statement);
 }
 
 // Whether the parameter list that opens at `open` is followed by a body and not by a semicolon.
@@ -90,12 +95,17 @@ bool defines(const std::string& source, const std::string& qualified) {
     const std::size_t colons = qualified.rfind("::");
     const std::string name = colons == std::string::npos ? qualified : qualified.substr(colons + 2);
     const std::string owner = colons == std::string::npos ? "" : qualified.substr(0, colons);
-    if (std::regex_search(source, std::regex("(^|\n)(template <[^\n]*> )?(struct|class|enum class|def) " + name + "\\b(?!;)"))) return true;
-    for (std::size_t at = source.find(name + "("); at != std::string::npos; at = source.find(name + "(", at + 1)) {
+    if (std::regex_search(source, std::regex("(^|\n)(template <[^\n]*> )?(struct|class|enum class|def) " +
+                                             name + "\\b(?!;)")))
+        return true;
+    for (std::size_t at = source.find(name + "("); at != std::string::npos;
+         at = source.find(name + "(", at + 1)) {
         if (at > 0 && is_word(source[at - 1])) continue;
         const std::size_t line = source.rfind('\n', at) + 1;
         const std::string before = source.substr(line, at - line);
-        if (!owner.empty() && !before.ends_with(owner + "::") && !std::regex_search(source, std::regex("(struct|class) " + owner + " "))) continue;
+        if (!owner.empty() && !before.ends_with(owner + "::") &&
+            !std::regex_search(source, std::regex("(struct|class) " + owner + " ")))
+            continue;
         if (begins_declaration(before) && has_body(source, at + name.size())) return true;
     }
     return false;

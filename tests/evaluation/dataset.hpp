@@ -17,7 +17,8 @@ inline void write_dataset(const std::filesystem::path& folder, int pages = 2) {
     options.width = 400;
     options.height = 300;
     options.photo = options.paper = options.colour = 0;
-    for (const char* part : {"image", "label", "instance"}) std::filesystem::create_directories(folder / part);
+    for (const char* part : {"image", "label", "instance"})
+        std::filesystem::create_directories(folder / part);
     std::ofstream index(folder / "index.ndjson");
     for (int number = 1; number <= pages; ++number) {
         const std::string id = "page-" + std::to_string(number);

@@ -91,7 +91,8 @@ TEST_CASE("A dataset with a fault is refused with the fact") {
     write_dataset(data);
     fs::remove(data / "instance" / "page-2.png");
     fs::copy_file("testdata/demo.png", data / "instance" / "page-2.png");
-    CHECK(failure(data) == (data / "instance" / "page-2.png").string() + ": has another size than the label map");
+    CHECK(failure(data) ==
+          (data / "instance" / "page-2.png").string() + ": has another size than the label map");
 }
 
 } // namespace pantin::test

@@ -16,7 +16,13 @@ std::string uri_of(const std::string& text) {
 } // namespace
 
 TEST_CASE("base64 of RFC 4648's examples", "[explain]") {
-    const std::pair<const char*, const char*> examples[] = {{"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foob", "Zm9vYg=="}, {"fooba", "Zm9vYmE="}, {"foobar", "Zm9vYmFy"}};
+    const std::pair<const char*, const char*> examples[] = {{"", ""},
+                                                            {"f", "Zg=="},
+                                                            {"fo", "Zm8="},
+                                                            {"foo", "Zm9v"},
+                                                            {"foob", "Zm9vYg=="},
+                                                            {"fooba", "Zm9vYmE="},
+                                                            {"foobar", "Zm9vYmFy"}};
     for (const auto& [text, code] : examples) CHECK(uri_of(text) == std::string("data:x/y;base64,") + code);
     CHECK(uri_of("\xff\xfe\xfd") == "data:x/y;base64,//79");
 }
@@ -39,7 +45,8 @@ TEST_CASE("decimals are rounded and without trailing zeros", "[explain]") {
 }
 
 TEST_CASE("a template's places are all filled, or it is an error", "[explain]") {
-    CHECK(filled("a {{x}} b {{y z}}", {{"x", "1"}, {"y z", "{{x}}"}}) == "a 1 b {{x}}"); // what is filled in is not filled again
+    CHECK(filled("a {{x}} b {{y z}}", {{"x", "1"}, {"y z", "{{x}}"}}) ==
+          "a 1 b {{x}}"); // what is filled in is not filled again
     CHECK_THROWS_AS(filled("{{x}}", {}), Error);
     CHECK_THROWS_AS(filled("{{x", {{"x", "1"}}), Error);
     CHECK_THROWS_AS(asset("no-such-file"), Error);

@@ -1,4 +1,5 @@
-// The walkthrough of small drawings: whole, self-contained, and true to the files of the run. Browsers look at it in `make test-web`.
+// The walkthrough of small drawings: whole, self-contained, and true to the files of the run. Browsers look
+// at it in `make test-web`.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -15,8 +16,9 @@ using Json = nlohmann::json;
 
 namespace {
 
-const std::vector<std::string> chapter_names = {"silhouette", "segment", "contour", "voronoi", "thinning", "graph", "identify",
-                                                "paths", "assignment", "mesh", "weights", "motion", "solid"};
+const std::vector<std::string> chapter_names = {"silhouette", "segment",  "contour", "voronoi",    "thinning",
+                                                "graph",      "identify", "paths",   "assignment", "mesh",
+                                                "weights",    "motion",   "solid"};
 
 struct Explained {
     TemporaryFolder folder;
@@ -27,7 +29,9 @@ struct Explained {
 
 void explain(Explained& e, const std::string& image, const std::vector<std::string>& more = {}) {
     e.out = e.folder / "out";
-    e.outcome = run_pantin(std::vector<std::string>{"explain", image, "-o", e.out.string(), "--trace", "--clip", "idle"} + small_films + more);
+    e.outcome = run_pantin(
+        std::vector<std::string>{"explain", image, "-o", e.out.string(), "--trace", "--clip", "idle"} +
+        small_films + more);
     if (std::filesystem::exists(e.out / "index.html")) e.page = read(e.out / "index.html");
 }
 
@@ -46,7 +50,8 @@ const Explained& explained_humanoid() {
 std::string markup_of(std::string page) {
     for (const char* name : {"script", "style"}) {
         const std::string open = std::string("<") + name, close = std::string("</") + name + ">";
-        for (std::size_t at = page.find(open); at != std::string::npos; at = page.find(open, at + open.size())) {
+        for (std::size_t at = page.find(open); at != std::string::npos;
+             at = page.find(open, at + open.size())) {
             const std::size_t begin = page.find('>', at) + 1, end = page.find(close, begin);
             REQUIRE(end != std::string::npos);
             page.erase(begin, end - begin);
@@ -56,7 +61,8 @@ std::string markup_of(std::string page) {
 }
 
 std::string chapter_of(const std::string& page, const std::string& id) {
-    const std::size_t begin = page.find("<article class=\"chapter\" id=\"" + id + "\""), end = page.find("</article>", begin);
+    const std::size_t begin = page.find("<article class=\"chapter\" id=\"" + id + "\""),
+                      end = page.find("</article>", begin);
     REQUIRE(begin != std::string::npos);
     return page.substr(begin, end - begin);
 }
@@ -79,7 +85,8 @@ std::vector<std::string> values_of(const std::string& markup, const std::string&
 
 int count_of(const std::string& text, const std::string& what) {
     int count = 0;
-    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + what.size())) ++count;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + what.size()))
+        ++count;
     return count;
 }
 
@@ -95,16 +102,20 @@ TEST_CASE("explain writes a page with every chapter, in the order of the steps",
         CHECK(at > last);
         last = at;
         const std::string chapter = chapter_of(page, "character-1-" + name);
-        CHECK(chapter.find("class=\"flow\"") != std::string::npos);     // what goes in, what comes out
-        CHECK(chapter.find("<math") != std::string::npos);              // the equation
-        CHECK(chapter.find("class=\"settings\"") != std::string::npos); // the parameters, and the file to edit
-        const bool shows = chapter.find("<svg class=\"picture") != std::string::npos || chapter.find("<img") != std::string::npos || chapter.find("class=\"matrix\"") != std::string::npos;
+        CHECK(chapter.find("class=\"flow\"") != std::string::npos); // what goes in, what comes out
+        CHECK(chapter.find("<math") != std::string::npos);          // the equation
+        CHECK(chapter.find("class=\"settings\"") !=
+              std::string::npos); // the parameters, and the file to edit
+        const bool shows = chapter.find("<svg class=\"picture") != std::string::npos ||
+                           chapter.find("<img") != std::string::npos ||
+                           chapter.find("class=\"matrix\"") != std::string::npos;
         CHECK(shows); // also without a script
     }
     CHECK(page.size() < 15'000'000);
 }
 
-TEST_CASE("the page is self-contained: no address outside of it, every reference inside of it", "[explain][end-to-end]") {
+TEST_CASE("the page is self-contained: no address outside of it, every reference inside of it",
+          "[explain][end-to-end]") {
     const std::string markup = markup_of(explained_humanoid().page);
     for (const char* attribute : {"src", "href"})
         for (const std::string& value : values_of(markup, attribute)) {
@@ -147,29 +158,37 @@ TEST_CASE("every element of the page that is opened is closed, in order", "[expl
 
 TEST_CASE("the page shows what the files of the run hold", "[explain][end-to-end]") {
     const Explained& e = explained_humanoid();
-    const auto file = [&](const std::string& name) { return Json::parse(read(e.out / "character-1" / name)); };
+    const auto file = [&](const std::string& name) {
+        return Json::parse(read(e.out / "character-1" / name));
+    };
 
-    const Json voronoi = data_of(chapter_of(e.page, "character-1-voronoi")), edges = file("trace/voronoi.json")["edges"];
+    const Json voronoi = data_of(chapter_of(e.page, "character-1-voronoi")),
+               edges = file("trace/voronoi.json")["edges"];
     REQUIRE(voronoi["edges"].size() == 5 * edges.size());
     for (std::size_t i = 0; i < edges.size(); ++i)
-        REQUIRE(voronoi["edges"][5 * i].get<double>() == Approx(10 * edges[i]["from"][0].get<double>()).margin(0.51));
+        REQUIRE(voronoi["edges"][5 * i].get<double>() ==
+                Approx(10 * edges[i]["from"][0].get<double>()).margin(0.51));
 
     const Json skeleton = file("skeleton.json"), mapping = file("mapping.json");
     const std::string graph = chapter_of(e.page, "character-1-graph");
-    CHECK(graph.find("After H2: " + std::to_string(skeleton["vertices"].size()) + " vertices") != std::string::npos);
+    CHECK(graph.find("After H2: " + std::to_string(skeleton["vertices"].size()) + " vertices") !=
+          std::string::npos);
     CHECK(graph.find(std::to_string(skeleton["edges"].size()) + " edges") != std::string::npos);
 
     const Json identification = file("identification.json");
     const std::string identify = chapter_of(e.page, "character-1-identify");
-    CHECK(count_of(identify, "class=\"candidate") == int(identification["candidates"].size()) + 1); // and the list of them
+    CHECK(count_of(identify, "class=\"candidate") ==
+          int(identification["candidates"].size()) + 1); // and the list of them
     CHECK(identify.find("<h4>" + identification["reference"].get<std::string>()) != std::string::npos);
 
     const Json paths = data_of(chapter_of(e.page, "character-1-paths"));
     CHECK(paths["comparisons"].size() == mapping["costs"].size());
-    CHECK(count_of(chapter_of(e.page, "character-1-assignment"), "<td class=\"chosen\"") == int(mapping["pairs"].size()));
+    CHECK(count_of(chapter_of(e.page, "character-1-assignment"), "<td class=\"chosen\"") ==
+          int(mapping["pairs"].size()));
 
     const Json weights = data_of(chapter_of(e.page, "character-1-weights"));
-    const std::string obj = read(e.out / "character-1" / "mesh.obj"), text = read(e.out / "character-1" / "weights.txt");
+    const std::string obj = read(e.out / "character-1" / "mesh.obj"),
+                      text = read(e.out / "character-1" / "weights.txt");
     CHECK(int(weights["weights"].size()) == count_of(obj, "\nv "));
     CHECK(int(weights["faces"].size()) == count_of(obj, "\nf "));
     for (const Json& vertex : weights["weights"]) {
@@ -177,8 +196,10 @@ TEST_CASE("the page shows what the files of the run hold", "[explain][end-to-end
         for (std::size_t k = 1; k < vertex.size(); k += 2) sum += vertex[k].get<int>();
         REQUIRE(std::abs(sum - 1000) <= 2);
     }
-    CHECK(count_of(chapter_of(e.page, "character-1-weights"), "<option value=") == count_of(text, "bone ") + 1);
-    CHECK(data_of(chapter_of(e.page, "character-1-motion"))["glb"].get<std::string>().starts_with("data:model/gltf-binary;base64,Z2xURg"));
+    CHECK(count_of(chapter_of(e.page, "character-1-weights"), "<option value=") ==
+          count_of(text, "bone ") + 1);
+    CHECK(data_of(chapter_of(e.page, "character-1-motion"))["glb"].get<std::string>().starts_with(
+        "data:model/gltf-binary;base64,Z2xURg"));
 }
 
 TEST_CASE("the page does not depend on the number of threads", "[explain][end-to-end]") {
@@ -190,7 +211,10 @@ TEST_CASE("the page does not depend on the number of threads", "[explain][end-to
 TEST_CASE("explain writes the same files as animate, and the page", "[explain][end-to-end]") {
     const Explained& e = explained_humanoid();
     const TemporaryFolder folder;
-    const Outcome outcome = run_pantin(std::vector<std::string>{"animate", small_page, "-o", (folder / "out").string(), "--trace", "--clip", "idle", "--threads", "1"} + small_films);
+    const Outcome outcome =
+        run_pantin(std::vector<std::string>{"animate", small_page, "-o", (folder / "out").string(), "--trace",
+                                            "--clip", "idle", "--threads", "1"} +
+                   small_films);
     REQUIRE(outcome.code == 0);
     auto files = read_all(e.out);
     CHECK(files.erase("index.html") == 1);
@@ -230,7 +254,8 @@ TEST_CASE("explain with labels and method of the user's", "[explain][end-to-end]
     const Json found = Json::parse(read(own.out / "page.json"))["characters"][0]["box"];
     const pantin::Box box{found[0], found[1], found[2], found[3]};
     const pantin::RgbImage page = pantin::load_image(small_page);
-    const pantin::LabelMap part = pantin::resize_nearest(pantin::load_grey(own.out / "character-1/labels.png"), box.width, box.height);
+    const pantin::LabelMap part =
+        pantin::resize_nearest(pantin::load_grey(own.out / "character-1/labels.png"), box.width, box.height);
     pantin::LabelMap labels(page.width(), page.height());
     for (int y = 0; y < box.height; ++y)
         for (int x = 0; x < box.width; ++x) labels(box.x + x, box.y + y) = part(x, y);
@@ -238,7 +263,9 @@ TEST_CASE("explain with labels and method of the user's", "[explain][end-to-end]
     Explained e;
     pantin::save_png(e.folder / "labels.png", labels);
     write(e.folder / "options.json", R"({"skeletonization.method": "thinning"})");
-    explain(e, small_page, {"--labels", (e.folder / "labels.png").string(), "--config", (e.folder / "options.json").string()});
+    explain(
+        e, small_page,
+        {"--labels", (e.folder / "labels.png").string(), "--config", (e.folder / "options.json").string()});
     REQUIRE(e.outcome.code == 0);
     CHECK(e.page.find("id=\"character-1-voronoi\"") == std::string::npos); // no diagram, no chapter
     CHECK(chapter_of(e.page, "character-1-segment").find("were given") != std::string::npos);

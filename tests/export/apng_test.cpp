@@ -18,7 +18,8 @@ struct Chunk {
 
 std::uint32_t number_at(const std::string& bytes, std::size_t at, int count = 4) {
     std::uint32_t value = 0;
-    for (int i = 0; i < count; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(i)]);
+    for (int i = 0; i < count; ++i)
+        value = value << 8 | static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(i)]);
     return value;
 }
 
@@ -38,7 +39,8 @@ std::vector<Chunk> chunks_of(const std::vector<unsigned char>& file) {
     for (std::size_t at = 8; at < bytes.size();) {
         const std::size_t size = number_at(bytes, at);
         const std::string body = bytes.substr(at + 4, size + 4);
-        chunks.push_back({body.substr(0, 4), body.substr(4), crc_of(body) == number_at(bytes, at + 8 + size)});
+        chunks.push_back(
+            {body.substr(0, 4), body.substr(4), crc_of(body) == number_at(bytes, at + 8 + size)});
         at += size + 12;
     }
     return chunks;
@@ -55,7 +57,9 @@ std::vector<RgbaImage> shades(int count) {
     std::vector<RgbaImage> frames;
     for (int i = 0; i < count; ++i) {
         RgbaImage frame(23, 17, Rgba8{0, 0, 0, 0});
-        for (int x = 0; x < 23; ++x) frame(x, (x + i) % 17) = {static_cast<std::uint8_t>(10 * x), 7, 200, static_cast<std::uint8_t>(255 - i)};
+        for (int x = 0; x < 23; ++x)
+            frame(x, (x + i) % 17) = {static_cast<std::uint8_t>(10 * x), 7, 200,
+                                      static_cast<std::uint8_t>(255 - i)};
         frames.push_back(frame);
     }
     return frames;
@@ -88,8 +92,8 @@ TEST_CASE("An APNG holds the PNG stream of every frame, numbered, and loops for 
             pixels.push_back(chunk.data.substr(4));
         }
     }
-    CHECK(types == std::vector<std::string>{"IHDR", "acTL", "fcTL", "IDAT", "fcTL", "fdAT", "fcTL", "fdAT", "fcTL", "fdAT",
-                                            "fcTL", "fdAT", "IEND"});
+    CHECK(types == std::vector<std::string>{"IHDR", "acTL", "fcTL", "IDAT", "fcTL", "fdAT", "fcTL", "fdAT",
+                                            "fcTL", "fdAT", "fcTL", "fdAT", "IEND"});
     CHECK(milliseconds == 167); // 5/30 s
     REQUIRE(pixels.size() == frames.size());
     for (std::size_t i = 0; i < frames.size(); ++i) CHECK(pixels[i] == pixels_of(frames[i]));

@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
+#include "export/glb_file.hpp"
 #include "export/rigs.hpp"
 #include "pantin/export.hpp"
-#include "export/glb_file.hpp"
 
 using namespace pantin;
 using namespace pantin::test;

@@ -16,7 +16,8 @@ namespace {
 std::set<std::string> names_in(const std::string& text, const std::string& pattern) {
     std::set<std::string> names;
     const std::regex expression(pattern);
-    for (std::sregex_iterator match(text.begin(), text.end(), expression), end; match != end; ++match) names.insert((*match)[1].str());
+    for (std::sregex_iterator match(text.begin(), text.end(), expression), end; match != end; ++match)
+        names.insert((*match)[1].str());
     return names;
 }
 

@@ -26,14 +26,20 @@ TEST_CASE("the last verdict on a drawing's step counts, and a remark may have co
 TEST_CASE("a malformed verdict is an error that names file and line", "[figures]") {
     const TemporaryFolder folder;
     for (const char* line : {"2026-01-02,a.png#1,rigging,perhaps,", "2026-01-02,,rigging,good,", "nothing"}) {
-        write(folder / "verdicts.csv", std::string("date,drawing,step,verdict,remark\n2026-01-02,b,rigging,good,\n") + line + "\n");
-        CHECK_THROWS_WITH(figures::Verdicts((folder / "verdicts.csv").string()), Catch::Contains("verdicts.csv: line 3"));
+        write(folder / "verdicts.csv",
+              std::string("date,drawing,step,verdict,remark\n2026-01-02,b,rigging,good,\n") + line + "\n");
+        CHECK_THROWS_WITH(figures::Verdicts((folder / "verdicts.csv").string()),
+                          Catch::Contains("verdicts.csv: line 3"));
     }
 }
 
-TEST_CASE("docs/verdicts.csv judges the rigging of every generated drawing and every step of testdata", "[figures]") {
+TEST_CASE("docs/verdicts.csv judges the rigging of every generated drawing and every step of testdata",
+          "[figures]") {
     const figures::Verdicts verdicts("docs/verdicts.csv");
-    for (int i = 0; i < 30; ++i) CHECK(verdicts.find("0000" + std::string(i < 10 ? "0" : "") + std::to_string(i), "rigging"));
-    for (const char* drawing : {"demo.png#1", "demo.png#4", "dog.png#1", "flying.png#1", "humanoid.png#1", "lined.png#1", "person.png#1", "photo.jpg#1", "quadruped.png#1"})
-        for (const char* step : {"detection", "segmentation", "skeletonization", "identification", "rigging"}) CHECK(verdicts.find(drawing, step));
+    for (int i = 0; i < 30; ++i)
+        CHECK(verdicts.find("0000" + std::string(i < 10 ? "0" : "") + std::to_string(i), "rigging"));
+    for (const char* drawing : {"demo.png#1", "demo.png#4", "dog.png#1", "flying.png#1", "humanoid.png#1",
+                                "lined.png#1", "person.png#1", "photo.jpg#1", "quadruped.png#1"})
+        for (const char* step : {"detection", "segmentation", "skeletonization", "identification", "rigging"})
+            CHECK(verdicts.find(drawing, step));
 }

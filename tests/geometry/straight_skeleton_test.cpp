@@ -51,11 +51,13 @@ std::vector<int> way_back(const StraightSkeleton& s, int edge) {
 void check_faces(const StraightSkeleton& s, double diagonal) {
     double sum = 0, polygon = 0;
     for (int e = 0; e < std::ssize(s.corners); ++e) {
-        const Point2d from = s.corners[e], to = s.corners[s.next[e]], direction = (1 / distance(from, to)) * (to - from);
+        const Point2d from = s.corners[e], to = s.corners[s.next[e]],
+                      direction = (1 / distance(from, to)) * (to - from);
         const std::vector<int> way = way_back(s, e);
         REQUIRE(way.back() == e);
         double twice = cross(from, to);
-        int phase = 0; // monotone: on beyond the edge's end (a reflex corner), back, and on again to its beginning
+        int phase =
+            0; // monotone: on beyond the edge's end (a reflex corner), back, and on again to its beginning
         for (std::size_t i = 0; i + 1 < way.size(); ++i) {
             const Point2d a = s.nodes[way[i]].place, b = s.nodes[way[i + 1]].place;
             twice += cross(a, b);
@@ -90,7 +92,8 @@ void check_planar(const StraightSkeleton& s, double diagonal) {
     const auto place = [&](int node) { return s.nodes[node].place; };
     for (std::size_t i = 0; i < s.arcs.size(); ++i)
         for (std::size_t k = 0; k < i; ++k) {
-            const Point2d a = place(s.arcs[i].from), b = place(s.arcs[i].to), c = place(s.arcs[k].from), d = place(s.arcs[k].to);
+            const Point2d a = place(s.arcs[i].from), b = place(s.arcs[i].to), c = place(s.arcs[k].from),
+                          d = place(s.arcs[k].to);
             const double nearest = std::min({distance(a, c), distance(a, d), distance(b, c), distance(b, d)});
             if (nearest > 1e-9 * diagonal && cross_each_other(a, b, c, d)) FAIL("arcs cross");
         }
@@ -185,9 +188,11 @@ std::uint64_t fingerprint(const StraightSkeleton& s) {
     std::uint64_t hash = 14695981039346656037u;
     const auto add = [&](std::uint64_t bits) { hash = (hash ^ bits) * 1099511628211u; };
     for (const auto& node : s.nodes)
-        for (const double value : {node.place.x, node.place.y, node.time}) add(std::bit_cast<std::uint64_t>(value));
+        for (const double value : {node.place.x, node.place.y, node.time})
+            add(std::bit_cast<std::uint64_t>(value));
     for (const auto& arc : s.arcs)
-        for (const int value : {arc.from, arc.to, arc.left, arc.right}) add(static_cast<std::uint64_t>(value));
+        for (const int value : {arc.from, arc.to, arc.left, arc.right})
+            add(static_cast<std::uint64_t>(value));
     return hash;
 }
 
@@ -213,7 +218,8 @@ TEST_CASE("straight skeletons with known nodes: rectangle, L, T, comb, regular p
     check_all(l, 0);
     for (const Point2d p : {Point2d{3, 1}, {1, 1}, {1, 5}}) CHECK(has_node(l, p, 1));
 
-    const StraightSkeleton t = straight_skeleton({{{0, 4}, {0, 6}, {9, 6}, {9, 4}, {5.5, 4}, {5.5, 0}, {3.5, 0}, {3.5, 4}}});
+    const StraightSkeleton t =
+        straight_skeleton({{{0, 4}, {0, 6}, {9, 6}, {9, 4}, {5.5, 4}, {5.5, 0}, {3.5, 0}, {3.5, 4}}});
     check_all(t, 0);
     for (const Point2d p : {Point2d{1, 5}, {8, 5}, {4.5, 1}}) CHECK(has_node(t, p, 1));
 
@@ -248,7 +254,8 @@ TEST_CASE("straight skeletons go around holes") {
     for (const Point2d p : {Point2d{1, 1}, {5, 1}, {5, 5}, {1, 5}}) CHECK(has_node(s, p, 1));
     check_all(straight_skeleton({{{0, 0}, {7, 0}, {6, 6}, {0, 6}},
                                  {{2, 2}, {3, 2.2}, {3, 4}, {2, 3.5}},
-                                 {{4, 1}, {5, 1.3}, {4.5, 3}}}), 2);
+                                 {{4, 1}, {5, 1.3}, {4.5, 3}}}),
+              2);
 }
 
 TEST_CASE("straight skeletons of 500 random simple polygons of 10 to 1000 corners are what they must be") {
@@ -281,16 +288,15 @@ TEST_CASE("straight skeletons on grids, where many events coincide") {
     }
 }
 
-TEST_CASE("straight skeletons of large polygons have the bits that they had when every corner looked at every edge") {
+TEST_CASE("straight skeletons of large polygons have the bits that they had when every corner looked at "
+          "every edge") {
     Random random(35);
     const struct {
         std::vector<Loop> loops;
         std::uint64_t expected;
     } cases[] = {
-        {{star_shaped(random, 3000)}, 0x0ad8a7ad4011d1dcu},
-        {{tangled(random, 300)}, 0xf4cb2ef20c69a906u},
-        {{slits(random, 1000)}, 0x0be421ebfb2e8c25u},
-        {{regular(400, 0.6)}, 0x955ebeba56a1f651u},
+        {{star_shaped(random, 3000)}, 0x0ad8a7ad4011d1dcu}, {{tangled(random, 300)}, 0xf4cb2ef20c69a906u},
+        {{slits(random, 1000)}, 0x0be421ebfb2e8c25u},       {{regular(400, 0.6)}, 0x955ebeba56a1f651u},
         {sieve(random, 25), 0x6bfa9e7867254b45u},
     };
     for (const auto& c : cases) {
@@ -313,8 +319,10 @@ TEST_CASE("straight skeletons do not depend on orientation, doubles and points o
 TEST_CASE("straight skeletons refuse what is no polygon, and end on what crosses itself") {
     CHECK(failure({}) == "straight skeleton: there is no corner");
     CHECK(failure({{{0, 0}, {1, 1}}}) == "straight skeleton: a loop has fewer than three corners");
-    CHECK(failure({{{0, 0}, {1, 1}, {2, 2}, {1, 1}}}) == "straight skeleton: a loop has fewer than three corners");
-    CHECK(failure({{{0, 0}, {1, std::numeric_limits<double>::quiet_NaN()}, {2, 0}}}) == "straight skeleton: a coordinate is not a number");
+    CHECK(failure({{{0, 0}, {1, 1}, {2, 2}, {1, 1}}}) ==
+          "straight skeleton: a loop has fewer than three corners");
+    CHECK(failure({{{0, 0}, {1, std::numeric_limits<double>::quiet_NaN()}, {2, 0}}}) ==
+          "straight skeleton: a coordinate is not a number");
     Random random(33);
     for (int round = 0; round < 50; ++round) {
         Loop loop(20);

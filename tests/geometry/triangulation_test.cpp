@@ -19,12 +19,15 @@ using Loop = std::vector<Point2i>;
 
 double twice_area(const Loop& loop) {
     double sum = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) sum += cross(to_double(loop[i]), to_double(loop[(i + 1) % loop.size()]));
+    for (std::size_t i = 0; i < loop.size(); ++i)
+        sum += cross(to_double(loop[i]), to_double(loop[(i + 1) % loop.size()]));
     return sum;
 }
 double twice_area(const Triangulation& t) {
     double sum = 0;
-    for (const auto& [a, b, c] : t.triangles) sum += cross(to_double(t.points[b]) - to_double(t.points[a]), to_double(t.points[c]) - to_double(t.points[a]));
+    for (const auto& [a, b, c] : t.triangles)
+        sum += cross(to_double(t.points[b]) - to_double(t.points[a]),
+                     to_double(t.points[c]) - to_double(t.points[a]));
     return sum;
 }
 
@@ -46,7 +49,8 @@ void check_links(const Triangulation& t) {
             const int n = t.neighbours[i][k];
             if (n < 0) continue;
             REQUIRE(std::count(t.neighbours[n].begin(), t.neighbours[n].end(), i) == 1);
-            const int back = static_cast<int>(std::find(t.neighbours[n].begin(), t.neighbours[n].end(), i) - t.neighbours[n].begin());
+            const int back = static_cast<int>(std::find(t.neighbours[n].begin(), t.neighbours[n].end(), i) -
+                                              t.neighbours[n].begin());
             CHECK(t.triangles[n][(back + 1) % 3] == t.triangles[i][(k + 2) % 3]);
             CHECK(t.triangles[n][(back + 2) % 3] == t.triangles[i][(k + 1) % 3]);
         }
@@ -60,7 +64,8 @@ int illegal_edges(const Triangulation& t) {
         for (int k = 0; k < 3; ++k) {
             const int n = t.neighbours[i][k];
             if (n < i) continue;
-            const int back = static_cast<int>(std::find(t.neighbours[n].begin(), t.neighbours[n].end(), i) - t.neighbours[n].begin());
+            const int back = static_cast<int>(std::find(t.neighbours[n].begin(), t.neighbours[n].end(), i) -
+                                              t.neighbours[n].begin());
             const auto& [a, b, c] = t.triangles[i];
             count += in_circle(t.points[a], t.points[b], t.points[c], t.points[t.triangles[n][back]]) > 0;
         }
@@ -86,7 +91,8 @@ double smallest_angle(const Triangulation& t) { // degrees, over triangles witho
         if (std::any_of(corners.begin(), corners.end(), [&](int c) { return border.count(c) > 0; })) continue;
         for (int k = 0; k < 3; ++k) {
             const Point2d at = to_double(t.points[corners[k]]);
-            const Point2d u = to_double(t.points[corners[(k + 1) % 3]]) - at, v = to_double(t.points[corners[(k + 2) % 3]]) - at;
+            const Point2d u = to_double(t.points[corners[(k + 1) % 3]]) - at,
+                          v = to_double(t.points[corners[(k + 2) % 3]]) - at;
             largest_cosine = std::max(largest_cosine, dot(u, v) / (length(u) * length(v)));
         }
     }
@@ -104,7 +110,8 @@ TEST_CASE("A square has two triangles, a square with a hole eight", "[triangulat
     CHECK_THROWS_AS(constrained_delaunay({{{0, 0}, {5, 5}, {9, 9}}}), Error);
 }
 
-TEST_CASE("Constrained triangulations of random polygons keep every edge and the area, and are Delaunay", "[triangulation]") {
+TEST_CASE("Constrained triangulations of random polygons keep every edge and the area, and are Delaunay",
+          "[triangulation]") {
     Random random(5);
     for (int round = 0; round < 300; ++round) {
         const int corners = 3 + random.integer(0, round < 200 ? 40 : 300);
@@ -115,7 +122,8 @@ TEST_CASE("Constrained triangulations of random polygons keep every edge and the
         const Triangulation t = constrained_delaunay({loop});
         check_links(t);
         CHECK(illegal_edges(t) == 0);
-        if (round % 3 == 0) continue; // rounded to a coarse grid, corners may lie on other edges or beyond them
+        if (round % 3 == 0)
+            continue; // rounded to a coarse grid, corners may lie on other edges or beyond them
         CHECK(twice_area(t) == std::abs(twice_area(loop)));
         CHECK(t.triangles.size() == loop.size() - 2);
         const auto border = border_edges(t);
@@ -123,7 +131,8 @@ TEST_CASE("Constrained triangulations of random polygons keep every edge and the
     }
 }
 
-TEST_CASE("Refined triangulations have good angles and no triangle with all corners on the border", "[triangulation]") {
+TEST_CASE("Refined triangulations have good angles and no triangle with all corners on the border",
+          "[triangulation]") {
     Random random(6);
     for (int round = 0; round < 60; ++round) {
         const Loop loop = star(random, 8 + random.integer(0, 30), 500000);
@@ -142,7 +151,8 @@ TEST_CASE("Refined triangulations have good angles and no triangle with all corn
         for (const auto& corners : t.triangles) {
             CHECK_FALSE(std::all_of(corners.begin(), corners.end(), [&](int c) { return on.count(c) > 0; }));
             for (int k = 0; k < 3; ++k)
-                CHECK(distance(to_double(t.points[corners[k]]), to_double(t.points[corners[(k + 1) % 3]])) < 1.8 * quality.longest_edge);
+                CHECK(distance(to_double(t.points[corners[k]]), to_double(t.points[corners[(k + 1) % 3]])) <
+                      1.8 * quality.longest_edge);
         }
         for (std::size_t p = 0; p < loop.size(); ++p) CHECK(t.points[p] == coarse.points[p]);
     }

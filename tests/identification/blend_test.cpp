@@ -22,7 +22,8 @@ long ends(const ReferenceSkeleton& reference, Label label) {
 }
 
 // Sum of the amplitudes about an axis of the joints whose name begins so.
-double swing(const ReferenceSkeleton& reference, const ReferenceClip& clip, const std::string& begin, const std::string& axis) {
+double swing(const ReferenceSkeleton& reference, const ReferenceClip& clip, const std::string& begin,
+             const std::string& axis) {
     double sum = 0;
     for (const ReferenceTrack& t : clip.tracks)
         if (t.axis == axis && reference.joints[t.joint].name.starts_with(begin)) sum += t.amplitude;
@@ -39,16 +40,19 @@ TEST_CASE("a blend of a flyer and a quadruped has wings that flap and four legs 
     CHECK(ends(gryphon, Label::wing) == 2);
     CHECK(ends(gryphon, Label::limb) == 4);
     CHECK(ends(gryphon, Label::head) == 1);
-    for (std::size_t n = 0; n < flying.nodes.size(); ++n) CHECK(gryphon.nodes[n].name == flying.nodes[n].name);
+    for (std::size_t n = 0; n < flying.nodes.size(); ++n)
+        CHECK(gryphon.nodes[n].name == flying.nodes[n].name);
     const ReferenceClip &fly = flying.clips[0], &walk = quadruped.clips[0], &mixed = gryphon.clips[0];
     CHECK(mixed.name == "fly");
     CHECK(swing(gryphon, mixed, "wing", "flap") == swing(flying, fly, "wing", "flap"));
     CHECK(swing(gryphon, mixed, "leg", "step") == Approx(swing(quadruped, walk, "leg", "step")));
     CHECK(swing(gryphon, mixed, "leg", "z") == 0); // not the flyer's dangling
-    const double head = 0.75 * swing(flying, fly, "head", "lift") + 0.25 * swing(quadruped, walk, "head", "lift");
+    const double head =
+        0.75 * swing(flying, fly, "head", "lift") + 0.25 * swing(quadruped, walk, "head", "lift");
     CHECK(swing(gryphon, mixed, "head", "lift") == Approx(head));
     for (const ReferenceTrack& track : mixed.tracks) CHECK(track.joint < std::ssize(gryphon.joints));
-    for (std::size_t j = 1; j < gryphon.joints.size(); ++j) CHECK(gryphon.joints[j].parent < static_cast<int>(j));
+    for (std::size_t j = 1; j < gryphon.joints.size(); ++j)
+        CHECK(gryphon.joints[j].parent < static_cast<int>(j));
 }
 
 TEST_CASE("a reference blended with itself stays what it is") {
@@ -58,6 +62,7 @@ TEST_CASE("a reference blended with itself stays what it is") {
         CHECK(same.joints.size() == reference.joints.size());
         for (std::size_t c = 0; c < same.clips.size(); ++c)
             for (const char* axis : {"x", "y", "z", "lift", "flap", "twist", "tx", "ty", "step"})
-                CHECK(swing(same, same.clips[c], "", axis) == Approx(swing(reference, reference.clips[c], "", axis)));
+                CHECK(swing(same, same.clips[c], "", axis) ==
+                      Approx(swing(reference, reference.clips[c], "", axis)));
     }
 }

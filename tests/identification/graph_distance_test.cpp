@@ -115,15 +115,18 @@ TEST_CASE("branch and bound finds the canonical optimum of an enumeration of all
 TEST_CASE("the terms of a matching add up to its cost") {
     Numbers numbers{11};
     for (int round = 0; round < 60; ++round) {
-        const auto a = random_graph(numbers, 1 + numbers.below(6), 0.5), b = random_graph(numbers, 1 + numbers.below(6), 0.5);
+        const auto a = random_graph(numbers, 1 + numbers.below(6), 0.5),
+                   b = random_graph(numbers, 1 + numbers.below(6), 0.5);
         GgdOptions options = random_options(numbers);
         options.k_l = 0.1; // so that labels mix
         const auto pairs = geometric_graph_distance(a, b, options).pairs;
         const GgdTerms t = matching_terms(a, b, pairs, options);
-        REQUIRE(t.places + t.labels + t.lengths + t.edges_a + t.edges_b == Approx(matching_cost(a, b, pairs, options)).margin(1e-9));
+        REQUIRE(t.places + t.labels + t.lengths + t.edges_a + t.edges_b ==
+                Approx(matching_cost(a, b, pairs, options)).margin(1e-9));
         REQUIRE(std::min({t.places, t.labels, t.lengths, t.edges_a, t.edges_b}) >= -1e-12);
     }
-    const auto a = segment({0, 0}, {1, 0}, Label::body, Label::limb), b = segment({0.1, 0}, {1.6, 0}, Label::body, Label::wing);
+    const auto a = segment({0, 0}, {1, 0}, Label::body, Label::limb),
+               b = segment({0.1, 0}, {1.6, 0}, Label::body, Label::wing);
     const GgdTerms t = matching_terms(a, b, {{0, 0}, {1, 1}});
     CHECK(t.places == Approx(0.7));
     CHECK(t.labels == Approx(15));

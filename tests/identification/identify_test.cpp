@@ -100,9 +100,11 @@ TEST_CASE("what cannot move is rejected with a reason") {
     const Stroke head{Label::head, {60, 60}, {60, 90}, 30};
     CHECK_FALSE(rejection(paint(120, 150, {head})).empty()); // by whichever step sees it first
     // No head at an end of the body, nothing to nod.
-    const std::vector<Stroke> cross = {{Label::body, {130, 30}, {130, 230}, 10}, {Label::body, {30, 110}, {230, 110}, 10},
+    const std::vector<Stroke> cross = {{Label::body, {130, 30}, {130, 230}, 10},
+                                       {Label::body, {30, 110}, {230, 110}, 10},
                                        {Label::head, {130, 110}, {130, 112}, 11}};
-    CHECK(rejection(paint(260, 260, cross)) == "identify: no limb, wing or tail, and no head on a body: nothing can move");
+    CHECK(rejection(paint(260, 260, cross)) ==
+          "identify: no limb, wing or tail, and no head on a body: nothing can move");
     std::vector<Stroke> star = {{Label::body, {200, 200}, {200, 200}, 30}};
     for (int k = 0; k < 32; ++k) {
         const double angle = 2 * 3.14159265 * k / 32;
@@ -203,7 +205,8 @@ TEST_CASE("a reference of one's own shares the evidence of the nearest compiled-
 namespace {
 
 // The quadruped with one more condition.
-std::vector<ReferenceSkeleton> with_special(const ReferenceNeed& need, const std::string& like = "quadruped") {
+std::vector<ReferenceSkeleton> with_special(const ReferenceNeed& need,
+                                            const std::string& like = "quadruped") {
     std::vector<ReferenceSkeleton> references = load_references();
     references.resize(3);
     ReferenceSkeleton special = references[1];
@@ -243,7 +246,8 @@ TEST_CASE("a special reference is chosen where its needs are met, and changes ne
 TEST_CASE("a head on a body nods, with or without a speck of limb") {
     using figures::Stroke;
     const Stroke head{Label::head, {60, 60}, {60, 90}, 30}, body{Label::body, {60, 120}, {60, 190}, 25};
-    for (const LabelMap& labels : {paint(120, 250, {body, head}), paint(120, 250, {body, head, {Label::limb, {60, 150}, {62, 150}, 3}})}) {
+    for (const LabelMap& labels : {paint(120, 250, {body, head}),
+                                   paint(120, 250, {body, head, {Label::limb, {60, 150}, {62, 150}, 3}})}) {
         const Identification found = identify_map(labels);
         CHECK(found.reference == "bust");
         CHECK(found.type == "bust");

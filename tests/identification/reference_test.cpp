@@ -56,7 +56,8 @@ struct Folder {
 
 } // namespace
 
-TEST_CASE("the compiled-in references are the three of the thesis and those that are like them, in a fixed order") {
+TEST_CASE(
+    "the compiled-in references are the three of the thesis and those that are like them, in a fixed order") {
     const auto all = load_references();
     std::vector<std::string> names, alone;
     for (const ReferenceSkeleton& reference : all) {
@@ -70,20 +71,25 @@ TEST_CASE("the compiled-in references are the three of the thesis and those that
         CHECK(labels.count(Label::limb) == (reference.name != "fish" && reference.name != "bust"));
         CHECK(labels.count(Label::wing) == (reference.name == "flying"));
     }
-    CHECK(names == std::vector<std::string>{"humanoid", "quadruped", "flying", "bird", "insect", "fish", "bust"});
+    CHECK(names ==
+          std::vector<std::string>{"humanoid", "quadruped", "flying", "bird", "insect", "fish", "bust"});
     CHECK(alone == std::vector<std::string>{"humanoid", "quadruped", "flying"});
 }
 
 TEST_CASE("the needs of a reference are read, and refused when they make no sense") {
-    const auto with = [](const std::string& more) { return replaced("\"name\": \"fox\",", "\"name\": \"fox\", " + more); };
+    const auto with = [](const std::string& more) {
+        return replaced("\"name\": \"fox\",", "\"name\": \"fox\", " + more);
+    };
     const ReferenceSkeleton skeleton = parse(with("\"like\": \"any\", \"needs\": {\"limb_ends\": [3, 5]},"));
     CHECK(skeleton.like == "any");
     REQUIRE(skeleton.needs.size() == 1);
     CHECK(skeleton.needs[0].quantity == "limb_ends");
     CHECK(skeleton.needs[0].low == 3);
     CHECK(skeleton.needs[0].high == 5);
-    CHECK_THAT(failure(with("\"needs\": {},")), Contains("needs: a reference with needs is \"like\" another"));
-    CHECK_THAT(failure(with("\"like\": \"any\", \"needs\": {\"fins\": [0, 1]},")), Contains("needs: there is no trait 'fins'"));
+    CHECK_THAT(failure(with("\"needs\": {},")),
+               Contains("needs: a reference with needs is \"like\" another"));
+    CHECK_THAT(failure(with("\"like\": \"any\", \"needs\": {\"fins\": [0, 1]},")),
+               Contains("needs: there is no trait 'fins'"));
     CHECK_THAT(failure(with("\"like\": \"any\", \"needs\": {\"limb_ends\": [5, 3]},")),
                Contains("needs.limb_ends: the lower bound is above the upper one"));
 }
@@ -127,9 +133,12 @@ TEST_CASE("a malformed reference is an error that names the file, the place and 
     CHECK_THAT(failure(replaced("\"parent\": \"chest\"", "\"parent\": \"tail\"")),
                Contains("joints[1].parent"));
     CHECK_THAT(failure(replaced("\"parent\": null", "\"parent\": \"head\"")), Contains("joints[0].parent"));
-    CHECK_THAT(failure(replaced("\"cycles\": 2", "\"lift\": 0.1")), Contains("lift: belongs to the axis step"));
-    CHECK_THAT(failure(replaced("\"cycles\": 2", "\"bend\": -1")), Contains("bend: belongs to the axes step and plant"));
-    CHECK_THAT(failure(replaced("\"axis\": \"z\"", "\"axis\": \"plant\"")), Contains("cycles: does not belong"));
+    CHECK_THAT(failure(replaced("\"cycles\": 2", "\"lift\": 0.1")),
+               Contains("lift: belongs to the axis step"));
+    CHECK_THAT(failure(replaced("\"cycles\": 2", "\"bend\": -1")),
+               Contains("bend: belongs to the axes step and plant"));
+    CHECK_THAT(failure(replaced("\"axis\": \"z\"", "\"axis\": \"plant\"")),
+               Contains("cycles: does not belong"));
     CHECK_THAT(failure(replaced("\"axis\": \"z\"", "\"axis\": \"w\"")), Contains("clips[0].tracks[0].axis"));
     CHECK_THAT(failure(replaced("\"cycles\": 2", "\"cycles\": 2.5")), Contains("whole number"));
     CHECK_THAT(failure(replaced("\"cycles\"", "\"cycle\"")), Contains("unknown key \"cycle\""));

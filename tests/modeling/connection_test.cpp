@@ -42,13 +42,15 @@ std::vector<int> degrees(const JointTree& tree) {
     return degree;
 }
 
-// The way from a point to a segment: the distance falls and rises once along it, so three parts of it narrow down to the foot.
+// The way from a point to a segment: the distance falls and rises once along it, so three parts of it narrow
+// down to the foot.
 double to_segment(Vec3 p, Vec3 a, Vec3 b) {
     double low = 0, high = 1;
     const auto at = [&](double t) { return distance(p, a + t * (b - a)); };
     for (int step = 0; step < 200; ++step) {
         const double third = (high - low) / 3;
-        (at(low + third) > at(high - third) ? low : high) += at(low + third) > at(high - third) ? third : -third;
+        (at(low + third) > at(high - third) ? low : high) +=
+            at(low + third) > at(high - third) ? third : -third;
     }
     return std::min({at(low), at(0), at(1)});
 }
@@ -59,9 +61,11 @@ double least_distance(const JointTree& child, const JointTree& parent) {
     const std::vector<int> degree = degrees(child);
     for (std::size_t j = 0; j < degree.size(); ++j) {
         if (degree[j] == 2) continue;
-        for (const Joint& joint : parent.joints) least = std::min(least, distance(child.joints[j].place, joint.place));
+        for (const Joint& joint : parent.joints)
+            least = std::min(least, distance(child.joints[j].place, joint.place));
         for (const auto& [a, b] : parent.bones)
-            least = std::min(least, to_segment(child.joints[j].place, parent.joints[a].place, parent.joints[b].place));
+            least = std::min(
+                least, to_segment(child.joints[j].place, parent.joints[a].place, parent.joints[b].place));
     }
     return least;
 }
@@ -92,7 +96,8 @@ TEST_CASE("a part is joined where Eq. (1) is smallest, as brute force finds it")
         const Attachment& attachment = connection.attachments[1];
         CAPTURE(round);
         REQUIRE(attachment.parent == 0);
-        const Joint &own = connection.tree.joints[attachment.joint], &other = connection.tree.joints[attachment.parent_joint];
+        const Joint &own = connection.tree.joints[attachment.joint],
+                    &other = connection.tree.joints[attachment.parent_joint];
         CHECK(own.part == 1);
         CHECK(other.part == 0);
         CHECK(distance(own.place, other.place) == Approx(least_distance(child, parent)).margin(1e-9));
@@ -100,7 +105,8 @@ TEST_CASE("a part is joined where Eq. (1) is smallest, as brute force finds it")
         // A new joint where the event says so; what was drawn stays as it was.
         CHECK(connection.tree.joints.size() == parent.joints.size() + child.joints.size() + attachment.split);
         CHECK((attachment.parent_joint >= std::ssize(parent.joints)) == attachment.split);
-        for (std::size_t j = 0; j < parent.joints.size(); ++j) CHECK(connection.tree.joints[j].place == parent.joints[j].place);
+        for (std::size_t j = 0; j < parent.joints.size(); ++j)
+            CHECK(connection.tree.joints[j].place == parent.joints[j].place);
         CHECK(trees_in(connection.tree) == 1);
         splits += attachment.split;
     }
@@ -136,8 +142,10 @@ TEST_CASE("a leg beyond the end of a torso joins that end") {
 TEST_CASE("two legs split one bone in three, and a split joint has the radius of the cylinder there") {
     JointTree cone = torso;
     cone.joints[1].radius = 5;
-    const Connection c = connect({cone, path({{-5, -2, 0}, {-5, -9, 0}}, 1), path({{5, -2, 0}, {5, -9, 0}}, 1)}, {{}, {}, {}});
-    const Joint &left = c.tree.joints[c.attachments[1].parent_joint], &right = c.tree.joints[c.attachments[2].parent_joint];
+    const Connection c =
+        connect({cone, path({{-5, -2, 0}, {-5, -9, 0}}, 1), path({{5, -2, 0}, {5, -9, 0}}, 1)}, {{}, {}, {}});
+    const Joint &left = c.tree.joints[c.attachments[1].parent_joint],
+                &right = c.tree.joints[c.attachments[2].parent_joint];
     CHECK(left == Joint{{-5, 0, 0}, 3.5, 0});
     CHECK(right.place == Vec3{5, 0, 0});
     CHECK(right.radius == Approx(4.5));
@@ -172,7 +180,8 @@ TEST_CASE("a part that meets no earlier one is a root, also one that a later par
     CHECK(c.attachments[2].parent >= 0);
     CHECK(trees_in(c.tree) == 2);
     const ModelSkeleton skeleton = rooted(c.tree);
-    CHECK(std::count_if(skeleton.joints.begin(), skeleton.joints.end(), [](const auto& j) { return j.parent < 0; }) == 2);
+    CHECK(std::count_if(skeleton.joints.begin(), skeleton.joints.end(),
+                        [](const auto& j) { return j.parent < 0; }) == 2);
     const auto none = connect({}, {});
     CHECK(none.tree.joints.empty());
     CHECK(none.attachments.empty());
@@ -200,7 +209,9 @@ TEST_CASE("a symmetric copy hangs on what the original hangs on, or on that part
     const JointTree leg2 = mirrored_in_x(leg), foot2 = mirrored_in_x(foot);
     const std::vector<JointTree> parts = {torso, leg, leg2, foot, foot2};
     for (const bool named : {false, true}) {
-        const Connection c = connect(parts, {{}, {named ? 0 : -1, -1}, {named ? 0 : -1, 1}, {named ? 1 : -1, -1}, {named ? 1 : -1, 3}});
+        const Connection c = connect(
+            parts,
+            {{}, {named ? 0 : -1, -1}, {named ? 0 : -1, 1}, {named ? 1 : -1, -1}, {named ? 1 : -1, 3}});
         CHECK(c.attachments[1].parent == 0);
         CHECK(c.attachments[2].parent == 0);
         CHECK(c.attachments[3].parent == 1);
@@ -208,7 +219,8 @@ TEST_CASE("a symmetric copy hangs on what the original hangs on, or on that part
         CHECK(c.attachments[1].split == c.attachments[2].split);
         CHECK(trees_in(c.tree) == 1);
         for (const int original : {1, 3}) {
-            const Joint &a = c.tree.joints[c.attachments[original].parent_joint], &b = c.tree.joints[c.attachments[original + 1].parent_joint];
+            const Joint &a = c.tree.joints[c.attachments[original].parent_joint],
+                        &b = c.tree.joints[c.attachments[original + 1].parent_joint];
             CHECK(a.place == Vec3{-b.place.x, b.place.y, b.place.z});
         }
     }
@@ -225,7 +237,8 @@ TEST_CASE("mirrored parts give mirrored connections, bit for bit") {
         std::vector<JointTree> parts, mirrored;
         std::vector<ParentWish> wishes;
         for (int p = random.integer(2, 7); p > 0; --p) {
-            parts.push_back(random_tree(random, random.integer(1, 7), {random.uniform(-12, 12), random.uniform(-12, 12), 0}, 5));
+            parts.push_back(random_tree(random, random.integer(1, 7),
+                                        {random.uniform(-12, 12), random.uniform(-12, 12), 0}, 5));
             mirrored.push_back(mirrored_in_x(parts.back()));
             const int earlier = static_cast<int>(wishes.size());
             wishes.push_back({earlier > 0 && random.chance(0.3) ? random.integer(0, earlier - 1) : -1, -1});
@@ -238,13 +251,15 @@ TEST_CASE("mirrored parts give mirrored connections, bit for bit") {
             CHECK(one.attachments[p].parent_joint == two.attachments[p].parent_joint);
             CHECK(one.attachments[p].split == two.attachments[p].split);
         }
-        CHECK(trees_in(one.tree) == std::count_if(one.attachments.begin(), one.attachments.end(), [](const Attachment& a) { return a.parent < 0; }));
+        CHECK(trees_in(one.tree) == std::count_if(one.attachments.begin(), one.attachments.end(),
+                                                  [](const Attachment& a) { return a.parent < 0; }));
     }
 }
 
 TEST_CASE("a symmetric model has a symmetric skeleton") {
     Model model;
-    PartStroke body = test::part("body", test::capsule({0, -50}, {0, 50}, 25)), arm = test::part("arm", test::capsule({20, -40}, {90, -60}, 8));
+    PartStroke body = test::part("body", test::capsule({0, -50}, {0, 50}, 25)),
+               arm = test::part("arm", test::capsule({20, -40}, {90, -60}, 8));
     PartStroke hand = test::part("hand", test::disc({92, -60}, 12), "arm");
     arm.symmetry = hand.symmetry = Symmetry::x;
     model.add_part(body);
@@ -258,7 +273,9 @@ TEST_CASE("a symmetric model has a symmetric skeleton") {
         if (joint.part == 0) continue;
         const int twin = joint.part % 2 ? joint.part + 1 : joint.part - 1;
         CHECK(std::count_if(joints.begin(), joints.end(), [&](const auto& other) {
-                  return other.part == twin && other.place == Vec3{-joint.place.x, joint.place.y, joint.place.z} && other.radius == joint.radius;
+                  return other.part == twin &&
+                         other.place == Vec3{-joint.place.x, joint.place.y, joint.place.z} &&
+                         other.radius == joint.radius;
               }) == 1);
     }
 }

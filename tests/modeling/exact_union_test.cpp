@@ -1,4 +1,5 @@
-// The union on a lattice beside the exact one (CGAL). `pantin-tests '[exact-union]'` prints the table of docs/modeling.md.
+// The union on a lattice beside the exact one (CGAL). `pantin-tests '[exact-union]'` prints the table of
+// docs/modeling.md.
 #include <catch2/catch.hpp>
 
 #include <chrono>
@@ -36,7 +37,8 @@ TEST_CASE("distances between surfaces are those of spheres one in another") {
     const Inflation ball = inflate(test::disc({0, 0}, 50));
     const SolidMesh mesh = part_surface(ball, 1, Frame{});
     CHECK(test::surface_distance(mesh, mesh).largest == Approx(0).margin(1e-9));
-    const test::SurfaceDistance moved = test::surface_distance(mesh, part_surface(ball, 1, shifted({200, 0, 0})));
+    const test::SurfaceDistance moved =
+        test::surface_distance(mesh, part_surface(ball, 1, shifted({200, 0, 0})));
     CHECK(moved.largest == Approx(200).epsilon(0.01));
     CHECK(moved.mean > 100);
     const test::NearestOnSurface nearest(mesh);
@@ -57,14 +59,16 @@ TEST_CASE("a build without CGAL says so") {
 TEST_CASE("exact unions follow the rule of sums exactly") {
     if (!available()) return;
     const Inflation large = inflate(test::disc({0, 0}, 50)), small = inflate(test::disc({0, 0}, 20));
-    const double volume = test::volume_of(part_surface(large, 1, Frame{})), less = test::volume_of(part_surface(small, 1, Frame{}));
+    const double volume = test::volume_of(part_surface(large, 1, Frame{})),
+                 less = test::volume_of(part_surface(small, 1, Frame{}));
     const SolidMesh apart = unite_exactly({{&large, 1, Frame{}}, {&small, 1, shifted({90, 10, 0})}});
     CHECK(test::volume_of(apart) == Approx(volume + less).epsilon(1e-9));
     CHECK(test::components_of(apart) == 2);
     const SolidMesh within = unite_exactly({{&large, 1, Frame{}}, {&small, 1, shifted({6, -3, 2})}});
     CHECK(test::volume_of(within) == Approx(volume).epsilon(1e-9));
     CHECK(test::components_of(within) == 1);
-    CHECK(test::volume_of(unite_exactly({{&large, 1, Frame{}}, {&large, 1, Frame{}}})) == Approx(volume).epsilon(1e-9));
+    CHECK(test::volume_of(unite_exactly({{&large, 1, Frame{}}, {&large, 1, Frame{}}})) ==
+          Approx(volume).epsilon(1e-9));
     CHECK(unite_exactly({}).triangles.empty());
 }
 
@@ -83,7 +87,8 @@ TEST_CASE("the union on the lattice is the exact one up to its cells") {
 
 TEST_CASE("table of the nine models: the union on the lattice beside the exact one", "[.][exact-union]") {
     if (!available()) return;
-    std::printf("| model | volume, relative | mean distance | largest | triangles | time |\n|---|---|---|---|---|---|\n");
+    std::printf("| model | volume, relative | mean distance | largest | triangles | time "
+                "|\n|---|---|---|---|---|---|\n");
     for (const std::string& name : test::model_names) {
         Model model(test::model_strokes(name));
         model.inflated();
@@ -98,7 +103,8 @@ TEST_CASE("table of the nine models: the union on the lattice beside the exact o
         CHECK(test::self_cuts(exact) == 0);
         CHECK(d.largest < 0.02 * height_of(exact));
         std::printf("| %s | %+.2f %% | %.2f %% | %.2f %% | %zu / %zu | %.2f / %.2f s |\n", name.c_str(),
-                    100 * (test::volume_of(ours) / test::volume_of(exact) - 1), 100 * d.mean / height_of(exact), 100 * d.largest / height_of(exact),
+                    100 * (test::volume_of(ours) / test::volume_of(exact) - 1),
+                    100 * d.mean / height_of(exact), 100 * d.largest / height_of(exact),
                     ours.triangles.size(), exact.triangles.size(), our_time, time);
     }
 }

@@ -17,31 +17,39 @@ using namespace pantin;
 
 namespace {
 
-const double nan_value = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+const double nan_value = std::numeric_limits<double>::quiet_NaN(),
+             infinite = std::numeric_limits<double>::infinity();
 
 bool same(const ModelSkeleton& a, const ModelSkeleton& b) {
-    return std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(), b.joints.end(), [](const auto& p, const auto& q) {
-        return p.place == q.place && p.radius == q.radius && p.part == q.part && p.parent == q.parent;
-    });
+    return std::equal(
+        a.joints.begin(), a.joints.end(), b.joints.begin(), b.joints.end(), [](const auto& p, const auto& q) {
+            return p.place == q.place && p.radius == q.radius && p.part == q.part && p.parent == q.parent;
+        });
 }
-bool same(const Frame& a, const Frame& b) { return a.origin == b.origin && a.right == b.right && a.down == b.down && a.out == b.out; }
+bool same(const Frame& a, const Frame& b) {
+    return a.origin == b.origin && a.right == b.right && a.down == b.down && a.out == b.out;
+}
 bool same(const SubSkeleton& a, const SubSkeleton& b) {
     return a.outline.corners == b.outline.corners && a.bones == b.bones && a.branches == b.branches &&
-           std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(), b.joints.end(),
-                      [](const auto& p, const auto& q) { return p.place == q.place && p.radius == q.radius; });
+           std::equal(
+               a.joints.begin(), a.joints.end(), b.joints.begin(), b.joints.end(),
+               [](const auto& p, const auto& q) { return p.place == q.place && p.radius == q.radius; });
 }
 bool same(const ModelPart& a, const ModelPart& b) {
-    return a.stroke == b.stroke && a.mirrored == b.mirrored && same(a.frame, b.frame) && same(a.flat, b.flat) && a.parent == b.parent;
+    return a.stroke == b.stroke && a.mirrored == b.mirrored && same(a.frame, b.frame) &&
+           same(a.flat, b.flat) && a.parent == b.parent;
 }
 bool same(const Connection& a, const Connection& b) {
-    return a.tree == b.tree && std::equal(a.attachments.begin(), a.attachments.end(), b.attachments.begin(), b.attachments.end(),
-                                          [](const Attachment& p, const Attachment& q) {
-                                              return p.parent == q.parent && p.joint == q.joint && p.parent_joint == q.parent_joint && p.split == q.split;
+    return a.tree == b.tree && std::equal(a.attachments.begin(), a.attachments.end(), b.attachments.begin(),
+                                          b.attachments.end(), [](const Attachment& p, const Attachment& q) {
+                                              return p.parent == q.parent && p.joint == q.joint &&
+                                                     p.parent_joint == q.parent_joint && p.split == q.split;
                                           });
 }
 bool same(const Model& a, const Model& b) {
     return same(a.skeleton(), b.skeleton()) && same(a.connection(), b.connection()) &&
-           std::equal(a.parts().begin(), a.parts().end(), b.parts().begin(), b.parts().end(), [](const auto& p, const auto& q) { return same(p, q); });
+           std::equal(a.parts().begin(), a.parts().end(), b.parts().begin(), b.parts().end(),
+                      [](const auto& p, const auto& q) { return same(p, q); });
 }
 
 std::size_t joint_count(const Model& model) { return model.skeleton().joints.size(); }
@@ -78,12 +86,14 @@ private:
         std::vector<RefineSkeleton> refinements;
     };
     Page& page(const std::string& name) {
-        return *std::find_if(pages_.begin(), pages_.end(), [&](const Page& p) { return p.stroke.name == name; });
+        return *std::find_if(pages_.begin(), pages_.end(),
+                             [&](const Page& p) { return p.stroke.name == name; });
     }
     // A call about the whole model undoes what was asked of its parts, as far as it says something.
     void note(const RefineSkeleton& call) {
         if (!call.part.empty()) return page(call.part).refinements.push_back(call);
-        for (auto threshold : {&RefineSkeleton::simplify, &RefineSkeleton::prune, &RefineSkeleton::merge, &RefineSkeleton::collapse}) {
+        for (auto threshold : {&RefineSkeleton::simplify, &RefineSkeleton::prune, &RefineSkeleton::merge,
+                               &RefineSkeleton::collapse}) {
             if (!(call.*threshold)) continue;
             whole_.*threshold = call.*threshold;
             for (Page& p : pages_)
@@ -114,7 +124,8 @@ public:
 
 private:
     PartStroke new_part(const std::vector<std::string>& names) {
-        PartStroke p = test::part("part " + std::to_string(++number_), test::blob(random_, random_.integer(2, 5), 0.35, random_.uniform(20, 60)));
+        PartStroke p = test::part("part " + std::to_string(++number_),
+                                  test::blob(random_, random_.integer(2, 5), 0.35, random_.uniform(20, 60)));
         const Point2d centre{random_.uniform(-60, 60), random_.uniform(-60, 60)};
         for (Point2d& q : p.stroke) q = centre + q;
         p.depth = random_.uniform(-20, 20);
@@ -126,14 +137,19 @@ private:
     }
     MovePart move(const std::string& name) {
         const auto way = [&] { return random_.uniform(-10, 10); };
-        return {name, {way(), way(), way()}, "xyz"[random_.integer(0, 2)], random_.uniform(-90, 90), random_.uniform(0.7, 1.4)};
+        return {name,
+                {way(), way(), way()},
+                "xyz"[random_.integer(0, 2)],
+                random_.uniform(-90, 90),
+                random_.uniform(0.7, 1.4)};
     }
     RefineSkeleton refinement(const Model& model, const std::string& name) {
         RefineSkeleton call;
         if (random_.chance(0.7)) call.part = name;
         if (!call.part.empty() && random_.chance(0.3)) {
             for (const ModelPart& p : model.parts())
-                if (p.stroke.name == name && !p.flat.branches.empty()) call.branch = random_.integer(0, static_cast<int>(p.flat.branches.size()) - 1);
+                if (p.stroke.name == name && !p.flat.branches.empty())
+                    call.branch = random_.integer(0, static_cast<int>(p.flat.branches.size()) - 1);
             call.simplify = random_.uniform(0.001, 0.05);
             return call;
         }
@@ -200,7 +216,8 @@ TEST_CASE("a part that moves there and back lies where it lay") {
     for (const char axis : {'x', 'y', 'z'}) {
         model.move_part({"leg", {7, -3, 11}, axis, 35, 1.25});
         CHECK_FALSE(same(model, before));
-        // Scaling and turning are about the part's centre, so they can be undone before or after the way back.
+        // Scaling and turning are about the part's centre, so they can be undone before or after the way
+        // back.
         model.move_part({"leg", {}, axis, -35, 0.8});
         model.move_part({"leg", {-7, 3, -11}, axis, 0, 1});
         REQUIRE(joint_count(model) == joint_count(before));
@@ -213,7 +230,8 @@ TEST_CASE("a part that moves there and back lies where it lay") {
 
 TEST_CASE("moves turn about the part's own centre, scale first and translate last") {
     Model model;
-    model.add_part(test::part("bar", test::capsule({20, -10}, {60, -10}, 5))); // its centre is (40, 10, 0) in the model
+    model.add_part(
+        test::part("bar", test::capsule({20, -10}, {60, -10}, 5))); // its centre is (40, 10, 0) in the model
     model.move_part({"bar", {0, 0, 100}, 'z', 90, 2});
     const SolidMesh mesh = model.surface(0);
     const Vec3 low = test::lowest(mesh), high = test::highest(mesh);
@@ -274,7 +292,8 @@ TEST_CASE("invalid calls are input errors and change nothing") {
     CHECK(with_part([](auto& p) { p.stroke = {{0, 0}, {1, 1}}; }));
     CHECK(with_part([](auto& p) { p.stroke = {{0, 0}, {5, 5}, {10, 10}}; }));
     CHECK(with_part([](auto& p) { p.stroke[3].x = infinite; }));
-    for (const double bad : {0.0, -1.0, nan_value, infinite}) CHECK(with_part([&](auto& p) { p.height = bad; }));
+    for (const double bad : {0.0, -1.0, nan_value, infinite})
+        CHECK(with_part([&](auto& p) { p.height = bad; }));
     for (const double bad : {nan_value, infinite, 1e300}) CHECK(with_part([&](auto& p) { p.depth = bad; }));
     const auto with_move = [&](const MovePart& move) { return refused([&] { model.move_part(move); }); };
     CHECK(with_move({"arm", {}, 'x', 0, 1}));
@@ -282,7 +301,8 @@ TEST_CASE("invalid calls are input errors and change nothing") {
     CHECK(with_move({"leg", {0, 1e300, 0}, 'x', 0, 1}));
     CHECK(with_move({"leg", {}, 'w', 0, 1}));
     for (const double bad : {infinite, nan_value, 1e300}) CHECK(with_move({"leg", {}, 'y', bad, 1}));
-    for (const double bad : {0.0, -2.0, infinite, nan_value, 1e200, 1e-200}) CHECK(with_move({"leg", {}, 'z', 0, bad}));
+    for (const double bad : {0.0, -2.0, infinite, nan_value, 1e200, 1e-200})
+        CHECK(with_move({"leg", {}, 'z', 0, bad}));
     CHECK(refused([&] { model.set_symmetry("arm", Symmetry::x); }));
     CHECK(refused([&] { model.remove_part("arm"); }));
     CHECK(refused([&] { model.remove_part(""); }));
@@ -319,7 +339,8 @@ TEST_CASE("numbers far out of range are refused before anything is made of them"
             ++refused;
         }
     CHECK(refused > 20);
-    for (const auto& joint : model.skeleton().joints) CHECK(std::isfinite(length(joint.place) + joint.radius));
+    for (const auto& joint : model.skeleton().joints)
+        CHECK(std::isfinite(length(joint.place) + joint.radius));
 }
 
 TEST_CASE("copies of a model do not change each other") {
@@ -370,7 +391,8 @@ TEST_CASE("larger thresholds never give more joints: whole models, parts and bra
     const char* const operations[] = {"prune", "merge", "collapse", "simplify"};
     for (const std::string& name : test::model_names) {
         const Model drawn(test::model_strokes(name));
-        const auto check_rising = [&](Model model, int which, const std::string& part, int branch, std::size_t stride) {
+        const auto check_rising = [&](Model model, int which, const std::string& part, int branch,
+                                      std::size_t stride) {
             std::size_t before = std::numeric_limits<std::size_t>::max(), own_before = before;
             for (std::size_t i = 0; i < rising.size(); i += stride) {
                 CAPTURE(name, part, branch, operations[which], rising[i]);
@@ -378,7 +400,8 @@ TEST_CASE("larger thresholds never give more joints: whole models, parts and bra
                 call.branch = branch;
                 model.refine(call);
                 CHECK(own_joints(model, part) <= own_before);
-                // Where a joint of one part is gone, what hung on it hangs elsewhere, which may undo a collapse.
+                // Where a joint of one part is gone, what hung on it hangs elsewhere, which may undo a
+                // collapse.
                 const std::size_t moved = which == 3 && !part.empty() && before < 1000 ? 1 : 0;
                 CHECK(joint_count(model) <= before + moved);
                 CHECK(joint_count(model) > 0);
@@ -394,7 +417,8 @@ TEST_CASE("larger thresholds never give more joints: whole models, parts and bra
         for (const ModelPart& part : drawn.parts()) {
             if (part.mirrored) continue;
             for (int which = 0; which < 4; ++which) check_rising(drawn, which, part.stroke.name, -1, 3);
-            for (int branch = 0; branch < std::ssize(part.flat.branches); branch += 4) check_rising(drawn, 3, part.stroke.name, branch, 3);
+            for (int branch = 0; branch < std::ssize(part.flat.branches); branch += 4)
+                check_rising(drawn, 3, part.stroke.name, branch, 3);
         }
     }
 }
@@ -409,7 +433,8 @@ TEST_CASE("collapsing thins a branch of many short bones and does not shrink it 
     CHECK(joint_count(model) < all / 3);
     CHECK(joint_count(model) > 12);
     double left = 0, right = 0;
-    for (const auto& joint : model.skeleton().joints) left = std::min(left, joint.place.x), right = std::max(right, joint.place.x);
+    for (const auto& joint : model.skeleton().joints)
+        left = std::min(left, joint.place.x), right = std::max(right, joint.place.x);
     CHECK(left < -80);
     CHECK(right > 80);
 }

@@ -48,7 +48,8 @@ int enclosed(const LabelMap& labels, const std::vector<Point2d>& stroke, Label l
     int count = 0;
     for (int y = 0; y < labels.height(); ++y)
         for (int x = 0; x < labels.width(); ++x)
-            count += labels(x, y) == static_cast<int>(label) && inside(stroke, {static_cast<double>(x), static_cast<double>(y)});
+            count += labels(x, y) == static_cast<int>(label) &&
+                     inside(stroke, {static_cast<double>(x), static_cast<double>(y)});
     return count;
 }
 
@@ -96,7 +97,9 @@ void check_graph(const SkeletonGraph& graph) {
         for (std::size_t i = 0; i < edge.pixels.size(); ++i) {
             const Point2i p = edge.pixels[i];
             wrong += p.x < 0 || p.y < 0 || p.x >= graph.width || p.y >= graph.height;
-            if (i > 0) wrong += std::max(std::abs(p.x - edge.pixels[i - 1].x), std::abs(p.y - edge.pixels[i - 1].y)) != 1;
+            if (i > 0)
+                wrong +=
+                    std::max(std::abs(p.x - edge.pixels[i - 1].x), std::abs(p.y - edge.pixels[i - 1].y)) != 1;
         }
     }
     CHECK(wrong == 0);
@@ -118,7 +121,8 @@ TEST_CASE("part labels become strokes in modelling order, pieces from left to ri
     std::vector<std::string> names;
     for (const PartStroke& part : parts) names.push_back(part.name);
     CHECK(names == std::vector<std::string>{"body", "head", "limb_1", "limb_2", "limb_3", "limb_4", "tail"});
-    const Label labels[] = {Label::body, Label::head, Label::limb, Label::limb, Label::limb, Label::limb, Label::tail};
+    const Label labels[] = {Label::body, Label::head, Label::limb, Label::limb,
+                            Label::limb, Label::limb, Label::tail};
     for (std::size_t p = 0; p < parts.size(); ++p) {
         CHECK(parts[p].label == labels[p]);
         CHECK(parts[p].depth == 0);
@@ -157,7 +161,8 @@ TEST_CASE("strokes from labels make one tree and one solid") {
     CHECK(model.repairs().empty());
 }
 
-TEST_CASE("specks are left out, borders of the picture are no trouble, and no part at all is an input error") {
+TEST_CASE(
+    "specks are left out, borders of the picture are no trouble, and no part at all is an input error") {
     LabelMap labels = animal();
     labels(5, 5) = static_cast<std::uint8_t>(Label::wing);
     labels(100, 75) = static_cast<std::uint8_t>(Label::head);
@@ -204,7 +209,8 @@ TEST_CASE("a view shows the whole model, sheared only when it has depth") {
 
 TEST_CASE("a picture shows the labels of the parts that are in front") {
     Model model;
-    PartStroke body = test::part("body", test::disc({0, 0}, 50)), eye = test::part("eye", test::disc({10, 0}, 10), "body"), spot = eye;
+    PartStroke body = test::part("body", test::disc({0, 0}, 50)),
+               eye = test::part("eye", test::disc({10, 0}, 10), "body"), spot = eye;
     eye.depth = 40, spot.name = "wing", spot.stroke = test::disc({-15, 0}, 10), spot.depth = -40;
     for (const PartStroke& part : {body, eye, spot}) model.add_part(part);
     ModelView view = view_of(model, model.united(), 200);
@@ -263,7 +269,8 @@ TEST_CASE("a model's own rig has a bone for every joint but the roots, on the sk
             names.insert(bone.name);
             CHECK(bone.parent < static_cast<int>(b));
             CHECK((bone.parent < 0) == (b == 0));
-            for (const Vec3& end : {model_place(view, bone.head, bone.head_depth), model_place(view, bone.tail, bone.tail_depth)})
+            for (const Vec3& end : {model_place(view, bone.head, bone.head_depth),
+                                    model_place(view, bone.tail, bone.tail_depth)})
                 CHECK(to_skeleton(model.skeleton(), end) < 1e-6);
         }
         CHECK(names.size() == rig.bones.size());
@@ -272,7 +279,8 @@ TEST_CASE("a model's own rig has a bone for every joint but the roots, on the sk
         int wrong = 0;
         for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
             wrong += distance(model_place(view, rig.mesh.vertices[v], rig.depth[v]), mesh.vertices[v]) > 1e-6;
-            wrong += rig.texture[v].x < 0 || rig.texture[v].x > 1 || rig.texture[v].y < 0 || rig.texture[v].y > 1;
+            wrong +=
+                rig.texture[v].x < 0 || rig.texture[v].x > 1 || rig.texture[v].y < 0 || rig.texture[v].y > 1;
         }
         CHECK(wrong == 0);
     }
@@ -289,7 +297,8 @@ TEST_CASE("lifted bones lie on the model's skeleton where they are seen") {
         const auto place = [&] { // near a point on the skeleton
             const auto& joint = random.pick(joints);
             const Vec3 parent = joints[std::max(joint.parent, 0)].place;
-            const Point2d p = project(view, joint.parent < 0 ? joint.place : parent + random.uniform() * (joint.place - parent));
+            const Point2d p = project(
+                view, joint.parent < 0 ? joint.place : parent + random.uniform() * (joint.place - parent));
             return p + Point2d{random.uniform(-3, 3), random.uniform(-3, 3)};
         };
         Bone bone;
@@ -305,13 +314,16 @@ TEST_CASE("lifted bones lie on the model's skeleton where they are seen") {
         const Bone& bone = rig.bones[b];
         CHECK(bone.name == flat.bones[b].name);
         CHECK(bone.parent == flat.bones[b].parent);
-        const Vec3 head = model_place(view, bone.head, bone.head_depth), tail = model_place(view, bone.tail, bone.tail_depth);
+        const Vec3 head = model_place(view, bone.head, bone.head_depth),
+                   tail = model_place(view, bone.tail, bone.tail_depth);
         CHECK(to_skeleton(model.skeleton(), head) < 1e-6);
         CHECK(to_skeleton(model.skeleton(), tail) < 1e-6);
         CHECK(distance(project(view, head), flat.bones[b].head) < 4.5);
         CHECK(distance(project(view, tail), flat.bones[b].tail) < 4.5);
         for (const auto& joint : joints)
-            CHECK(distance(project(view, head), flat.bones[b].head) <= distance(project(view, joint.place), flat.bones[b].head) + 1e-6);
+            CHECK(distance(project(view, head), flat.bones[b].head) <=
+                  distance(project(view, joint.place), flat.bones[b].head) + 1e-6);
     }
-    for (const VertexWeights& w : rig.weights) REQUIRE(w.weights[0] + w.weights[1] + w.weights[2] + w.weights[3] == 1);
+    for (const VertexWeights& w : rig.weights)
+        REQUIRE(w.weights[0] + w.weights[1] + w.weights[2] + w.weights[3] == 1);
 }

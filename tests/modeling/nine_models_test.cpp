@@ -50,7 +50,8 @@ TEST_CASE("each of the nine models is one tree inside its solid") {
         for (std::size_t p = 0; p < model.parts().size(); ++p) {
             CHECK(model.parts()[p].parent < static_cast<int>(p));
             CHECK((model.parts()[p].parent < 0) == (p == 0));
-            CHECK((model.parts()[p].mirrored ? model.parts()[p - 1].stroke.symmetry != Symmetry::none : true));
+            CHECK(
+                (model.parts()[p].mirrored ? model.parts()[p - 1].stroke.symmetry != Symmetry::none : true));
         }
         // The grid of the united surface cuts off tips that are thinner than its cells.
         const SolidMesh mesh = unite(model.inflated(), {0, 24});

@@ -17,7 +17,8 @@ namespace pantin::test {
 
 // --- models ------------------------------------------------------------------------------------------------
 
-inline const std::vector<std::string> model_names = {"bird", "cat", "crab", "deer", "lorax", "octopus", "panda", "pokemon", "tree"};
+inline const std::vector<std::string> model_names = {"bird",    "cat",   "crab",    "deer", "lorax",
+                                                     "octopus", "panda", "pokemon", "tree"};
 
 inline Strokes model_strokes(const std::string& name) {
     const std::string file = "testdata/models/" + name + (name == "crab" ? ".svg" : ".json");
@@ -64,7 +65,8 @@ inline std::vector<Point2d> blob(Random& random, int lobes, double depth, double
     return line;
 }
 
-inline PartStroke part(const std::string& name, const std::vector<Point2d>& stroke, const std::string& parent = "") {
+inline PartStroke part(const std::string& name, const std::vector<Point2d>& stroke,
+                       const std::string& parent = "") {
     PartStroke p;
     p.name = name;
     p.stroke = stroke;
@@ -76,23 +78,26 @@ inline PartStroke part(const std::string& name, const std::vector<Point2d>& stro
 
 inline double volume_of(const SolidMesh& mesh) {
     double six = 0;
-    for (const auto& [a, b, c] : mesh.triangles) six += dot(mesh.vertices[a], cross(mesh.vertices[b], mesh.vertices[c]));
+    for (const auto& [a, b, c] : mesh.triangles)
+        six += dot(mesh.vertices[a], cross(mesh.vertices[b], mesh.vertices[c]));
     return six / 6;
 }
 
 inline Vec3 lowest(const SolidMesh& mesh) {
     Vec3 low = mesh.vertices.front();
-    for (const Vec3& v : mesh.vertices) low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+    for (const Vec3& v : mesh.vertices)
+        low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
     return low;
 }
 inline Vec3 highest(const SolidMesh& mesh) {
     Vec3 high = mesh.vertices.front();
-    for (const Vec3& v : mesh.vertices) high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+    for (const Vec3& v : mesh.vertices)
+        high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
     return high;
 }
 
-// What is wrong with the mesh as a closed, oriented surface; empty: nothing. Every edge has one triangle on each side, which run along
-// it in opposite ways, and the triangles around every vertex are one fan.
+// What is wrong with the mesh as a closed, oriented surface; empty: nothing. Every edge has one triangle on
+// each side, which run along it in opposite ways, and the triangles around every vertex are one fan.
 inline std::string surface_fault(const SolidMesh& mesh) {
     const auto count = static_cast<int>(mesh.vertices.size());
     std::vector<std::pair<int, int>> ways;
@@ -107,9 +112,11 @@ inline std::string surface_fault(const SolidMesh& mesh) {
         }
     }
     std::sort(ways.begin(), ways.end());
-    if (std::adjacent_find(ways.begin(), ways.end()) != ways.end()) return "two triangles run along an edge in the same way";
+    if (std::adjacent_find(ways.begin(), ways.end()) != ways.end())
+        return "two triangles run along an edge in the same way";
     for (const auto& [a, b] : ways)
-        if (!std::binary_search(ways.begin(), ways.end(), std::pair(b, a))) return "an edge has a triangle on one side only";
+        if (!std::binary_search(ways.begin(), ways.end(), std::pair(b, a)))
+            return "an edge has a triangle on one side only";
     for (auto& fan : around) {
         if (fan.size() < 3) return "a vertex has fewer than three triangles";
         std::sort(fan.begin(), fan.end());
@@ -138,8 +145,8 @@ inline int components_of(const SolidMesh& mesh) {
     return count;
 }
 
-// Whether the ray from p towards the viewer crosses the surface an odd number of times. It begins a little beside p, because the
-// vertices of a lattice lie behind each other.
+// Whether the ray from p towards the viewer crosses the surface an odd number of times. It begins a little
+// beside p, because the vertices of a lattice lie behind each other.
 inline bool holds(const SolidMesh& mesh, Vec3 p) {
     p = p + Vec3{1.23e-6, 2.71e-6, 0};
     bool in = false;
@@ -155,8 +162,9 @@ inline bool holds(const SolidMesh& mesh, Vec3 p) {
 
 // --- self-intersection -------------------------------------------------------------------------------------
 
-// Counts pairs of triangles that cut each other or fold onto each other. Pairs are found by a grid; a cut counts where all the signed
-// volumes that decide it are clear of rounding, so that surfaces which merely touch are no fault.
+// Counts pairs of triangles that cut each other or fold onto each other. Pairs are found by a grid; a cut
+// counts where all the signed volumes that decide it are clear of rounding, so that surfaces which merely
+// touch are no fault.
 class CutFinder {
 public:
     explicit CutFinder(const SolidMesh& mesh) : mesh_(mesh) {
@@ -171,17 +179,20 @@ public:
     int count() {
         std::vector<std::pair<long long, int>> cells;
         for (int t = 0; t < std::ssize(mesh_.triangles); ++t) {
-            boxes_.push_back({{low(t, &Vec3::x), low(t, &Vec3::y), low(t, &Vec3::z)}, {high(t, &Vec3::x), high(t, &Vec3::y), high(t, &Vec3::z)}});
+            boxes_.push_back({{low(t, &Vec3::x), low(t, &Vec3::y), low(t, &Vec3::z)},
+                              {high(t, &Vec3::x), high(t, &Vec3::y), high(t, &Vec3::z)}});
             for (const long long key : cells_of(t)) cells.emplace_back(key, t);
         }
         std::sort(cells.begin(), cells.end());
         std::vector<std::pair<int, int>> pairs;
         for (auto first = cells.begin(); first != cells.end(); ++first)
             for (auto second = first + 1; second != cells.end() && second->first == first->first; ++second)
-                if (boxes_meet(first->second, second->second)) pairs.emplace_back(first->second, second->second);
+                if (boxes_meet(first->second, second->second))
+                    pairs.emplace_back(first->second, second->second);
         std::sort(pairs.begin(), pairs.end());
         pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-        return static_cast<int>(std::count_if(pairs.begin(), pairs.end(), [&](const auto& p) { return cut(p.first, p.second); }));
+        return static_cast<int>(
+            std::count_if(pairs.begin(), pairs.end(), [&](const auto& p) { return cut(p.first, p.second); }));
     }
 
 private:
@@ -237,7 +248,8 @@ private:
     }
     // Two triangles at an edge that lie on each other.
     bool folded(const std::array<int, 3>& f, const std::array<int, 3>& g) const {
-        const Vec3 n = cross(at(f[1]) - at(f[0]), at(f[2]) - at(f[0])), m = cross(at(g[1]) - at(g[0]), at(g[2]) - at(g[0]));
+        const Vec3 n = cross(at(f[1]) - at(f[0]), at(f[2]) - at(f[0])),
+                   m = cross(at(g[1]) - at(g[0]), at(g[2]) - at(g[0]));
         return dot(n, m) <= -(1 - 1e-12) * length(n) * length(m);
     }
 

@@ -32,7 +32,9 @@ std::string message_of(const std::function<void()>& call) {
 
 // --- paths -------------------------------------------------------------------------------------------------
 
-std::vector<Subpath> subpaths(const std::string& data, const Affine& transform = {}) { return svg_path(data, transform, "d"); }
+std::vector<Subpath> subpaths(const std::string& data, const Affine& transform = {}) {
+    return svg_path(data, transform, "d");
+}
 
 Line path(const std::string& data, const Affine& transform = {}) {
     const std::vector<Subpath> all = subpaths(data, transform);
@@ -54,7 +56,8 @@ double distance_to_line(const Line& line, Point2d p) {
     return nearest;
 }
 
-// Each point of the curve lies on the line up to the promised error, each corner of the line lies on the curve.
+// Each point of the curve lies on the line up to the promised error, each corner of the line lies on the
+// curve.
 void check_curve(const Line& line, const std::function<Point2d(double)>& curve) {
     REQUIRE(line.size() >= 2);
     const double allowed = diagonal_of(line) / 2000 * 1.0001;
@@ -63,7 +66,8 @@ void check_curve(const Line& line, const std::function<Point2d(double)>& curve) 
     CHECK(line.front() == fine.front());
     CHECK(distance(line.back(), fine.back()) < 1e-12 * (1 + length(fine.back())));
     double farthest = 0, off = 0;
-    for (std::size_t k = 0; k < fine.size(); k += 37) farthest = std::max(farthest, distance_to_line(line, fine[k]));
+    for (std::size_t k = 0; k < fine.size(); k += 37)
+        farthest = std::max(farthest, distance_to_line(line, fine[k]));
     for (const Point2d p : line) off = std::max(off, distance_to_line(fine, p));
     CHECK(farthest <= allowed);
     CHECK(off < 1e-6 * diagonal_of(line));
@@ -73,9 +77,12 @@ Point2d cubic(Point2d a, Point2d b, Point2d c, Point2d d, double t) {
     const double s = 1 - t;
     return s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d;
 }
-Point2d quadratic(Point2d a, Point2d b, Point2d c, double t) { return (1 - t) * (1 - t) * a + 2 * (1 - t) * t * b + t * t * c; }
+Point2d quadratic(Point2d a, Point2d b, Point2d c, double t) {
+    return (1 - t) * (1 - t) * a + 2 * (1 - t) * t * b + t * t * c;
+}
 
-// All corners lie on the ellipse, neighbours are near; gives the total turn about its centre in degrees, positive from x to y.
+// All corners lie on the ellipse, neighbours are near; gives the total turn about its centre in degrees,
+// positive from x to y.
 double check_arc(const Line& line, Point2d centre, double rx, double ry, double degrees = 0) {
     const double angle = degrees * math::pi / 180, c = math::cos(angle), s = math::sin(angle);
     double turn = 0, off = 0, widest = 0;
@@ -114,8 +121,8 @@ std::string part_error(const std::string& more) { return json_error(file_text(pa
 std::string call_error(const std::string& call) { return json_error(file_text(part_text("tail"), call)); }
 
 std::string svg_text(const std::string& inside, const std::string& attributes = "") {
-    return "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"x\" " + attributes + ">\n" +
-           inside + "\n</svg>\n";
+    return "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"x\" " +
+           attributes + ">\n" + inside + "\n</svg>\n";
 }
 Strokes svg(const std::string& inside, const std::string& attributes = "") {
     return strokes_from_svg(svg_text(inside, attributes), "drawing.svg");
@@ -222,10 +229,14 @@ TEST_CASE("S and T mirror the control point before them, but only of a curve of 
     check_curve(path("M0 0C0 10 10 20 20 10S40 5 50 10"), join(first, second));
     check_curve(path("M0 0C0 10 10 20 20 10s20-5 30 0"), join(first, second));
     const auto third = [](double t) { return cubic({50, 10}, {60, 15}, {70, 0}, {60, -20}, t); };
-    const auto third_after = [&](double t) { return t < 2 / 3.0 ? join(first, second)(1.5 * t) : third(3 * t - 2); };
+    const auto third_after = [&](double t) {
+        return t < 2 / 3.0 ? join(first, second)(1.5 * t) : third(3 * t - 2);
+    };
     check_curve(path("M0 0C0 10 10 20 20 10S40 5 50 10 70 0 60-20"), third_after);
     // After anything else the control point is the point itself.
-    check_curve(path("M0 0S10 30 20 0"), [](double t) { return cubic({0, 0}, {0, 0}, {10, 30}, {20, 0}, t); });
+    check_curve(path("M0 0S10 30 20 0"), [](double t) {
+        return cubic({0, 0}, {0, 0}, {10, 30}, {20, 0}, t);
+    });
     const auto lone = [](double t) { return cubic({20, 0}, {20, 0}, {30, 30}, {40, 0}, t); };
     const auto before = [](double t) { return quadratic({0, 0}, {10, -9}, {20, 0}, t); };
     check_curve(path("M0 0Q10-9 20 0S30 30 40 0"), join(before, lone));
@@ -252,7 +263,8 @@ TEST_CASE("Arcs lie on their ellipse and turn the way the flags ask for") {
     CHECK(check_arc(path("M10 0A10 10 0 0 1-10 0 10 10 0 0 1 10 0"), middle, 10, 10) == Approx(360));
     CHECK(check_arc(path("M20 0A20 10 0 0 1 0 10"), middle, 20, 10) == Approx(90));
     CHECK(check_arc(path("M0 20A20 10 90 0 1-10 0"), middle, 20, 10, 90) == Approx(90));
-    const double c = math::cos(math::pi / 6), s = math::sin(math::pi / 6); // the ends of both axes of an ellipse turned by 30°
+    const double c = math::cos(math::pi / 6),
+                 s = math::sin(math::pi / 6); // the ends of both axes of an ellipse turned by 30°
     const Affine turned = {c, s, -s, c, 3, -4};
     CHECK(check_arc(path("M20 0A20 10 0 0 1 0 10", turned), {3, -4}, 20, 10, 30) == Approx(90));
     const Line flat = path("M20 0A20 10 0 0 1 0 10", {1, 0, 0, 2, 0, 0});
@@ -297,9 +309,11 @@ TEST_CASE("An arc's flags need no separators") {
 TEST_CASE("Random arcs satisfy the equation of their ellipse and the flags") {
     Random random(7);
     for (int round = 0; round < 200; ++round) {
-        const double rx = random.uniform(1, 30), ry = random.uniform(1, 30), degrees = random.uniform(-360, 360);
+        const double rx = random.uniform(1, 30), ry = random.uniform(1, 30),
+                     degrees = random.uniform(-360, 360);
         const Point2d centre = {random.uniform(-50, 50), random.uniform(-50, 50)};
-        const double start = random.uniform(-3, 3), turn = random.uniform(0.1, 6.1) * (random.chance(0.5) ? 1 : -1);
+        const double start = random.uniform(-3, 3),
+                     turn = random.uniform(0.1, 6.1) * (random.chance(0.5) ? 1 : -1);
         const double c = math::cos(degrees * math::pi / 180), s = math::sin(degrees * math::pi / 180);
         const auto at = [&](double angle) {
             const double x = rx * math::cos(angle), y = ry * math::sin(angle);
@@ -360,7 +374,8 @@ TEST_CASE("A bad path is an error that names the place") {
     int right = 0;
     for (int round = 0; round < 20000; ++round) {
         std::string data = "M1 1";
-        for (int k = random.integer(0, 25); k > 0; --k) data += letters[random.integer(0, static_cast<int>(letters.size()) - 1)];
+        for (int k = random.integer(0, 25); k > 0; --k)
+            data += letters[random.integer(0, static_cast<int>(letters.size()) - 1)];
         try {
             for (const Subpath& s : subpaths(data))
                 for (const Point2d p : s.points) REQUIRE((std::isfinite(p.x) && std::isfinite(p.y)));
@@ -404,11 +419,14 @@ TEST_CASE("A list of transforms is applied from right to left") {
     CHECK(moved("translate(10 0) scale(2)", {1, 1}) == Point2d{12, 2});
     CHECK(moved("scale(2) translate(10 0)", {1, 1}) == Point2d{22, 2});
     CHECK(moved(" translate( 10,0 ),scale (2)rotate(90) ", {1, 0}) == Point2d{10, 2});
-    CHECK(svg_transform("translate(1 2)rotate(90)translate(-1 -2)", "t") == svg_transform("rotate(90,1,2)", "t"));
+    CHECK(svg_transform("translate(1 2)rotate(90)translate(-1 -2)", "t") ==
+          svg_transform("rotate(90,1,2)", "t"));
 }
 
 TEST_CASE("A bad transform, number or length is an error that names the place") {
-    const auto transform_error = [](const std::string& text) { return message_of([&] { svg_transform(text, "t"); }); };
+    const auto transform_error = [](const std::string& text) {
+        return message_of([&] { svg_transform(text, "t"); });
+    };
     CHECK(transform_error("turn(5)") == "t, character 8: there is no transform 'turn'");
     CHECK(transform_error("rotate 5") == "t, character 8: '(' is missing");
     CHECK(transform_error("rotate(5") == "t, character 9: ')' is missing");
@@ -431,8 +449,10 @@ TEST_CASE("A bad transform, number or length is an error that names the place") 
     CHECK(svg_length("2.54cm", "l") == Approx(96));
     CHECK(svg_length("72pt", "l") == Approx(96));
     CHECK(svg_length("6pc", "l") == 96);
-    CHECK(message_of([] { svg_length("2em", "l"); }) == "l, character 4: only the units px, in, cm, mm, Q, pt and pc are known");
-    CHECK(message_of([] { svg_length("50%", "l"); }) == "l, character 3: only the units px, in, cm, mm, Q, pt and pc are known");
+    CHECK(message_of([] { svg_length("2em", "l"); }) ==
+          "l, character 4: only the units px, in, cm, mm, Q, pt and pc are known");
+    CHECK(message_of([] { svg_length("50%", "l"); }) ==
+          "l, character 3: only the units px, in, cm, mm, Q, pt and pc are known");
     CHECK(message_of([] { svg_length("wide", "l"); }) == "l, character 1: a number is missing");
 }
 
@@ -586,11 +606,15 @@ TEST_CASE("Random strokes survive the way to JSON and back to the bit") {
             if (i > 0 && random.chance(0.5)) part.parent = "part \"0\" \xC3\xA4";
             part.height = random.chance(0.5) ? random.uniform(0.1, 2) : 1;
             part.label = static_cast<Label>(random.integer(0, 5));
-            if (random.chance(0.5)) part.colour = Rgb8{static_cast<std::uint8_t>(random.integer(0, 255)), 7, 255};
+            if (random.chance(0.5))
+                part.colour = Rgb8{static_cast<std::uint8_t>(random.integer(0, 255)), 7, 255};
             strokes.calls.emplace_back(part);
             if (random.chance(0.2))
-                strokes.calls.emplace_back(
-                    MovePart{part.name, {random.uniform(), 0, 1}, 'y', random.uniform(-180, 180), random.uniform(0.1, 3)});
+                strokes.calls.emplace_back(MovePart{part.name,
+                                                    {random.uniform(), 0, 1},
+                                                    'y',
+                                                    random.uniform(-180, 180),
+                                                    random.uniform(0.1, 3)});
         }
         const std::string text = strokes_to_json(strokes);
         const Strokes back = json(text);
@@ -602,11 +626,19 @@ TEST_CASE("Random strokes survive the way to JSON and back to the bit") {
 }
 
 TEST_CASE("A part needs a name and a stroke only; the origin is the middle of the first one") {
-    const Strokes strokes = json(R"({"parts": [{"name": "a", "stroke": [[0, 0], [10, 0], [4, 6]]}, )" + part_text("b") + "]}");
+    const Strokes strokes =
+        json(R"({"parts": [{"name": "a", "stroke": [[0, 0], [10, 0], [4, 6]]}, )" + part_text("b") + "]}");
     CHECK(strokes.origin == Point2d{5, 3});
     CHECK(strokes.calls.size() == 2);
-    CHECK(part_of(strokes, 0) ==
-          PartStroke{"a", {{0, 0}, {10, 0}, {4, 6}}, 0, Viewpoint::front, Symmetry::none, "", 1, Label::background, {}});
+    CHECK(part_of(strokes, 0) == PartStroke{"a",
+                                            {{0, 0}, {10, 0}, {4, 6}},
+                                            0,
+                                            Viewpoint::front,
+                                            Symmetry::none,
+                                            "",
+                                            1,
+                                            Label::background,
+                                            {}});
     const Strokes called = json("{\"calls\": [{\"add_part\": " + part_text("a") + "}]}");
     CHECK(called.origin == Point2d{5, 5});
     REQUIRE(called.calls.size() == 1);
@@ -615,7 +647,9 @@ TEST_CASE("A part needs a name and a stroke only; the origin is the middle of th
 }
 
 TEST_CASE("symmetric: true mirrors along the depth of a part off the middle, else across the canvas") {
-    const auto symmetry = [](const std::string& more) { return part_of(json(file_text(part_text("a", more))), 0).symmetry; };
+    const auto symmetry = [](const std::string& more) {
+        return part_of(json(file_text(part_text("a", more))), 0).symmetry;
+    };
     CHECK(symmetry(R"("symmetric": true)") == Symmetry::x);
     CHECK(symmetry(R"("symmetric": true, "depth": 3)") == Symmetry::z);
     CHECK(symmetry(R"("symmetric": true, "view": "side")") == Symmetry::z);
@@ -624,13 +658,14 @@ TEST_CASE("symmetric: true mirrors along the depth of a part off the middle, els
     CHECK(symmetry(R"("symmetric": true, "view": "top", "depth": 3)") == Symmetry::y);
     CHECK(symmetry(R"("symmetric": false, "depth": 3)") == Symmetry::none);
     CHECK(symmetry(R"("symmetric": "y")") == Symmetry::y);
-    const Strokes strokes =
-        json(file_text(part_text("a", R"("depth": 3)"), R"({"set_symmetry": {"part": "a", "symmetric": true}})"));
+    const Strokes strokes = json(
+        file_text(part_text("a", R"("depth": 3)"), R"({"set_symmetry": {"part": "a", "symmetric": true}})"));
     CHECK(std::get<SetSymmetry>(strokes.calls[1]).symmetry == Symmetry::z);
 }
 
 TEST_CASE("What can be put right in a stroke is put right, with a line about it") {
-    Strokes strokes = json(R"({"parts": [{"name": "tail", "stroke": [[0,0],[0,0],[0,0],[5,0],[5,5],[5,5],[0,0]]}]})");
+    Strokes strokes =
+        json(R"({"parts": [{"name": "tail", "stroke": [[0,0],[0,0],[0,0],[5,0],[5,5],[5,5],[0,0]]}]})");
     CHECK(part_of(strokes, 0).stroke == Line{{0, 0}, {5, 0}, {5, 5}});
     CHECK(strokes.repairs == Lines{"part 'tail': 3 repeated points dropped"});
     strokes = json(R"({"parts": [{"name": "tail", "stroke": [[0,0],[5,0],[5,0],[5,5]]}]})");
@@ -640,7 +675,8 @@ TEST_CASE("What can be put right in a stroke is put right, with a line about it"
 
     const auto circle = [](int count) {
         std::string text;
-        for (int i = 0; i < count; ++i) text += (i ? ",[" : "[") + std::to_string(i) + "," + std::to_string(i % 7) + "]";
+        for (int i = 0; i < count; ++i)
+            text += (i ? ",[" : "[") + std::to_string(i) + "," + std::to_string(i % 7) + "]";
         return R"({"parts": [{"name": "tail", "stroke": [)" + text + "]}]}";
     };
     strokes = json(circle(200000));
@@ -652,7 +688,8 @@ TEST_CASE("What can be put right in a stroke is put right, with a line about it"
     CHECK(strokes.repairs == Lines{"part 'tail': 200001 points thinned to 20000"});
     CHECK(stroke[0] == Point2d{0, 0});
     CHECK(stroke[10000] == Point2d{100000, 5});
-    for (std::size_t i = 1; i < stroke.size(); ++i) REQUIRE(std::abs(stroke[i].x - stroke[i - 1].x - 10) <= 1);
+    for (std::size_t i = 1; i < stroke.size(); ++i)
+        REQUIRE(std::abs(stroke[i].x - stroke[i - 1].x - 10) <= 1);
 }
 
 TEST_CASE("A stroke without three different points is an error") {
@@ -671,7 +708,8 @@ TEST_CASE("A stroke without three different points is an error") {
     CHECK(stroke_error("[[1, 2, 3]]") == "strokes.json: part 'tail'.stroke[0]: has more than 2 elements");
     CHECK(stroke_error("[[1, \"2\"]]") == "strokes.json: part 'tail'.stroke[0][1]: must be a number");
     CHECK(stroke_error("[[1, null]]") == "strokes.json: part 'tail'.stroke[0][1]: must be a number");
-    CHECK(stroke_error("[[1, 1e16]]") == "strokes.json: part 'tail'.stroke[0][1]: must lie between -1e+15 and 1e+15");
+    CHECK(stroke_error("[[1, 1e16]]") ==
+          "strokes.json: part 'tail'.stroke[0][1]: must lie between -1e+15 and 1e+15");
     CHECK(stroke_error("[[1, NaN]]") == "strokes.json: not valid JSON (line 1)");
     CHECK(stroke_error("[[1, Infinity]]") == "strokes.json: not valid JSON (line 1)");
     CHECK(stroke_error("[[1, 1e999]]") == "strokes.json: not valid JSON");
@@ -682,23 +720,31 @@ TEST_CASE("A bad part is an error that names file, part and fact") {
     CHECK(part_error(R"("depth": "near")") == "strokes.json: part 'tail'.depth: must be a number");
     CHECK(part_error(R"("view": "back")") == "strokes.json: part 'tail'.view: must be front, side or top");
     CHECK(part_error(R"("view": 1)") == "strokes.json: part 'tail'.view: must be a string");
-    CHECK(part_error(R"("symmetric": "w")") == "strokes.json: part 'tail'.symmetric: must be true, false, x, y or z");
-    CHECK(part_error(R"("symmetric": "none")") == "strokes.json: part 'tail'.symmetric: must be true, false, x, y or z");
-    CHECK(part_error(R"("symmetric": 1)") == "strokes.json: part 'tail'.symmetric: must be true, false, x, y or z");
+    CHECK(part_error(R"("symmetric": "w")") ==
+          "strokes.json: part 'tail'.symmetric: must be true, false, x, y or z");
+    CHECK(part_error(R"("symmetric": "none")") ==
+          "strokes.json: part 'tail'.symmetric: must be true, false, x, y or z");
+    CHECK(part_error(R"("symmetric": 1)") ==
+          "strokes.json: part 'tail'.symmetric: must be true, false, x, y or z");
     CHECK(part_error(R"("parent": "tail")") == "strokes.json: part 'tail': is its own parent");
-    CHECK(part_error(R"("parent": "body")") == "strokes.json: part 'tail': the parent 'body' does not come before it");
-    CHECK(part_error(R"("parent": "a\nb")") == "strokes.json: part 'tail': the parent 'a?b' does not come before it");
+    CHECK(part_error(R"("parent": "body")") ==
+          "strokes.json: part 'tail': the parent 'body' does not come before it");
+    CHECK(part_error(R"("parent": "a\nb")") ==
+          "strokes.json: part 'tail': the parent 'a?b' does not come before it");
     CHECK(part_error(R"("height": 0)") == "strokes.json: part 'tail': height must be greater than 0");
     CHECK(part_error(R"("height": -2)") == "strokes.json: part 'tail': height must be greater than 0");
     CHECK(part_error(R"("height": null)") == "strokes.json: part 'tail'.height: must be a number");
-    CHECK(part_error(R"("label": "nose")") == "strokes.json: part 'tail'.label: must be head, body, limb, tail or wing");
-    CHECK(part_error(R"("label": "background")") == "strokes.json: part 'tail'.label: must be head, body, limb, tail or wing");
+    CHECK(part_error(R"("label": "nose")") ==
+          "strokes.json: part 'tail'.label: must be head, body, limb, tail or wing");
+    CHECK(part_error(R"("label": "background")") ==
+          "strokes.json: part 'tail'.label: must be head, body, limb, tail or wing");
     for (const char* colour : {"red", "#fff", "#12345g", "#1234567", "123456#", ""})
         CHECK(part_error("\"colour\": \"" + std::string(colour) + "\"") ==
               "strokes.json: part 'tail'.colour: must be a colour, #rrggbb");
     CHECK(json_error(file_text(part_text("a") + "," + part_text("a"))) ==
           "strokes.json: part 'a': there are two parts of this name");
-    CHECK(json_error(file_text(part_text("a", R"("parent": "b")") + "," + part_text("b", R"("parent": "a")"))) ==
+    CHECK(json_error(
+              file_text(part_text("a", R"("parent": "b")") + "," + part_text("b", R"("parent": "a")"))) ==
           "strokes.json: part 'a': the parent 'b' does not come before it");
     CHECK(json_error(file_text(part_text(""))) == "strokes.json: parts[0].name: must not be empty");
     CHECK(json_error(file_text(R"({"stroke": []})")) == "strokes.json: parts[0]: misses \"name\"");
@@ -718,7 +764,8 @@ TEST_CASE("A bad file of strokes is an error") {
     CHECK(json_error("{\"origin\": [1], \"parts\": [" + part_text("a") + "]}") ==
           "strokes.json: origin: has fewer than 2 elements");
     const std::string text = whole_file;
-    for (std::size_t length = 0; length + 2 < text.size(); length += 7) CHECK_THROWS_AS(json(text.substr(0, length)), Error);
+    for (std::size_t length = 0; length + 2 < text.size(); length += 7)
+        CHECK_THROWS_AS(json(text.substr(0, length)), Error);
 }
 
 TEST_CASE("A bad call is an error that names its place") {
@@ -727,14 +774,16 @@ TEST_CASE("A bad call is an error that names its place") {
     CHECK(call_error(R"({"remove_part": "tail", "refine": {}})") ==
           "strokes.json: calls[0]: must be an object with one key, the call");
     CHECK(call_error(R"({"paint": "tail"})") == "strokes.json: calls[0]: there is no call 'paint'");
-    CHECK(call_error(R"({"remove_part": "tial"})") == "strokes.json: calls[0].remove_part: there is no part 'tial' here");
+    CHECK(call_error(R"({"remove_part": "tial"})") ==
+          "strokes.json: calls[0].remove_part: there is no part 'tial' here");
     CHECK(call_error(R"({"remove_part": 1})") == "strokes.json: calls[0].remove_part: must be a string");
     CHECK(call_error(R"({"refine": {}}, {"remove_part": "tail"}, {"remove_part": "tail"})") ==
           "strokes.json: calls[2].remove_part: there is no part 'tail' here");
     CHECK(call_error(R"({"move_part": {}})") == "strokes.json: calls[0].move_part: misses \"part\"");
     CHECK(call_error(R"({"move_part": {"part": "leg"}})") ==
           "strokes.json: calls[0].move_part.part: there is no part 'leg' here");
-    CHECK(call_error(R"({"move_part": {"part": "tail", "turn": 1}})") == "strokes.json: calls[0].move_part: unknown key 'turn'");
+    CHECK(call_error(R"({"move_part": {"part": "tail", "turn": 1}})") ==
+          "strokes.json: calls[0].move_part: unknown key 'turn'");
     CHECK(call_error(R"({"move_part": {"part": "tail", "scale": 0}})") ==
           "strokes.json: move_part of 'tail': scale must be greater than 0");
     CHECK(call_error(R"({"move_part": {"part": "tail", "scale": -1}})") ==
@@ -745,27 +794,34 @@ TEST_CASE("A bad call is an error that names its place") {
           "strokes.json: calls[0].move_part.rotate.axis: must be x, y or z");
     CHECK(call_error(R"({"move_part": {"part": "tail", "rotate": {"axis": "x"}}})") ==
           "strokes.json: calls[0].move_part.rotate: misses \"degrees\"");
-    CHECK(call_error(R"({"move_part": {"part": "tail", "rotate": {"axis": "x", "degrees": 1, "angle": 2}}})") ==
-          "strokes.json: calls[0].move_part.rotate: unknown key 'angle'");
-    CHECK(call_error(R"({"set_symmetry": {"part": "tail"}})") == "strokes.json: calls[0].set_symmetry: misses \"symmetric\"");
+    CHECK(
+        call_error(R"({"move_part": {"part": "tail", "rotate": {"axis": "x", "degrees": 1, "angle": 2}}})") ==
+        "strokes.json: calls[0].move_part.rotate: unknown key 'angle'");
+    CHECK(call_error(R"({"set_symmetry": {"part": "tail"}})") ==
+          "strokes.json: calls[0].set_symmetry: misses \"symmetric\"");
     CHECK(call_error(R"({"set_symmetry": {"part": "leg", "symmetric": true}})") ==
           "strokes.json: calls[0].set_symmetry.part: there is no part 'leg' here");
-    CHECK(call_error(R"({"refine": {"part": "leg"}})") == "strokes.json: calls[0].refine.part: there is no part 'leg' here");
-    CHECK(call_error(R"({"refine": {"branch": 1}})") == "strokes.json: calls[0].refine: a branch needs a part");
+    CHECK(call_error(R"({"refine": {"part": "leg"}})") ==
+          "strokes.json: calls[0].refine.part: there is no part 'leg' here");
+    CHECK(call_error(R"({"refine": {"branch": 1}})") ==
+          "strokes.json: calls[0].refine: a branch needs a part");
     CHECK(call_error(R"({"refine": {"part": "tail", "branch": 1, "prune": 0.1}})") ==
           "strokes.json: calls[0].refine: a branch alone knows simplify only");
     CHECK(call_error(R"({"refine": {"part": "tail", "branch": -1}})") ==
           "strokes.json: calls[0].refine.branch: must lie between 0 and 1e+06");
     CHECK(call_error(R"({"refine": {"part": "tail", "branch": 1.5}})") ==
           "strokes.json: calls[0].refine.branch: must be a whole number");
-    CHECK(call_error(R"({"refine": {"merge": -0.1}})") == "strokes.json: calls[0].refine.merge: must lie between 0 and 10");
-    CHECK(call_error(R"({"refine": {"joints": 3}})") == "strokes.json: calls[0].refine: unknown key 'joints'");
+    CHECK(call_error(R"({"refine": {"merge": -0.1}})") ==
+          "strokes.json: calls[0].refine.merge: must lie between 0 and 10");
+    CHECK(call_error(R"({"refine": {"joints": 3}})") ==
+          "strokes.json: calls[0].refine: unknown key 'joints'");
     CHECK(call_error(R"({"refine": 3})") == "strokes.json: calls[0].refine: must be an object");
     CHECK(call_error("{\"add_part\": " + part_text("tail") + "}") ==
           "strokes.json: part 'tail': there are two parts of this name");
     // A part that was removed is no parent, and its name is free again.
-    CHECK(call_error("{\"remove_part\": \"tail\"}, {\"add_part\": " + part_text("leg", R"("parent": "tail")") + "}") ==
-          "strokes.json: part 'leg': the parent 'tail' does not come before it");
+    CHECK(
+        call_error("{\"remove_part\": \"tail\"}, {\"add_part\": " + part_text("leg", R"("parent": "tail")") +
+                   "}") == "strokes.json: part 'leg': the parent 'tail' does not come before it");
     CHECK(call_error("{\"remove_part\": \"tail\"}, {\"add_part\": " + part_text("tail") + "}") == "no error");
 }
 
@@ -776,11 +832,12 @@ TEST_CASE("Every shape of a drawing is a part with the points computed by hand")
     CHECK(shape("<path d='M1 2L4 6 4 0 1 2z'/>").stroke == Line{{1, 2}, {4, 6}, {4, 0}});
     CHECK(shape("<polygon points='1,2 4,6 4,0'/>").stroke == Line{{1, 2}, {4, 6}, {4, 0}});
     CHECK(shape("<polyline points='1 2 4 6 4 0 1 2'/>").stroke == Line{{1, 2}, {4, 6}, {4, 0}});
-    CHECK(shape("<rect x='1' y='2' width='30' height='4'/>").stroke == Line{{1, 2}, {31, 2}, {31, 6}, {1, 6}});
+    CHECK(shape("<rect x='1' y='2' width='30' height='4'/>").stroke ==
+          Line{{1, 2}, {31, 2}, {31, 6}, {1, 6}});
     CHECK(shape("<rect width='1in' height='4px'/>").stroke == Line{{0, 0}, {96, 0}, {96, 4}, {0, 4}});
     CHECK(shape("<svg:rect width='3' height='4'/>").stroke.size() == 4);
-    for (const char* text :
-         {"<circle cx='3' cy='4' r='10'/>", "<ellipse cx='3' cy='4' rx='10' ry='10'/>", "<ellipse cx='3' cy='4' ry='10'/>"}) {
+    for (const char* text : {"<circle cx='3' cy='4' r='10'/>", "<ellipse cx='3' cy='4' rx='10' ry='10'/>",
+                             "<ellipse cx='3' cy='4' ry='10'/>"}) {
         Line line = shape(text).stroke;
         CHECK(line.size() > 40);
         CHECK(line.size() < 100);
@@ -803,23 +860,28 @@ TEST_CASE("The corners of a rect are rounded by quarters of an ellipse") {
     // One radius stands for both; none is more than half a side.
     CHECK(shape("<rect width='40' height='20' rx='4'/>").stroke ==
           shape("<rect width='40' height='20' ry='4' rx='auto'/>").stroke);
-    CHECK(area_of(shape("<rect width='20' height='20' rx='50'/>").stroke) == Approx(100 * math::pi).epsilon(0.002));
+    CHECK(area_of(shape("<rect width='20' height='20' rx='50'/>").stroke) ==
+          Approx(100 * math::pi).epsilon(0.002));
 }
 
 TEST_CASE("Transforms of an element and of the groups around it add up") {
-    CHECK(shape("<path transform='translate(10 20)' d='M0 0L5 0 5 5z'/>").stroke == Line{{10, 20}, {15, 20}, {15, 25}});
+    CHECK(shape("<path transform='translate(10 20)' d='M0 0L5 0 5 5z'/>").stroke ==
+          Line{{10, 20}, {15, 20}, {15, 25}});
     CHECK(shape("<g transform='translate(10 20)'><g transform='scale(2)'><a><path transform='rotate(90)' "
                 "d='M0 0L5 0 5 5z'/></a></g></g>")
               .stroke == Line{{10, 20}, {10, 30}, {0, 30}});
-    CHECK(near(shape("<g transform='matrix(1 2 3 4 5 6) skewX(45)'><polygon points='0 0 1 0 0 1'/></g>").stroke,
-               {{5, 6}, {6, 8}, {9, 12}}));
+    CHECK(
+        near(shape("<g transform='matrix(1 2 3 4 5 6) skewX(45)'><polygon points='0 0 1 0 0 1'/></g>").stroke,
+             {{5, 6}, {6, 8}, {9, 12}}));
     CHECK(shape("<svg x='5' y='6'><rect width='1' height='1'/></svg>").stroke[0] == Point2d{5, 6});
     const Strokes nested = svg("<svg id='in' x='5' viewBox='0 0 1 1'><rect width='1' height='1'/></svg>");
     CHECK(nested.repairs == Lines{"svg 'in': an inner viewBox is not followed"});
-    const Strokes strokes = svg("<g transform='scale(3)'><rect width='1' height='1'/></g><rect width='1' height='1'/>");
+    const Strokes strokes =
+        svg("<g transform='scale(3)'><rect width='1' height='1'/></g><rect width='1' height='1'/>");
     CHECK(part_of(strokes, 0).stroke[2] == Point2d{3, 3});
     CHECK(part_of(strokes, 1).stroke[2] == Point2d{1, 1});
-    CHECK(part_of(svg("<path " + triangle + "/>", "transform='translate(1 1)'"), 0).stroke[0] == Point2d{1, 1});
+    CHECK(part_of(svg("<path " + triangle + "/>", "transform='translate(1 1)'"), 0).stroke[0] ==
+          Point2d{1, 1});
     // A circle in a stretched group is an ellipse.
     Line line = shape("<g transform='scale(2 1)'><circle r='10'/></g>").stroke;
     line.push_back(line.front());
@@ -847,7 +909,8 @@ TEST_CASE("Names come from the label, the id, the title or the number of the par
 
 TEST_CASE("Parts of one name in a drawing are numbered") {
     const std::string leg = "<path inkscape:label='leg' " + triangle + "/>";
-    const Strokes strokes = svg(leg + leg + "<path id='leg-3' " + triangle + "/>" + leg + "<path id='leg-2' " + triangle + "/>");
+    const Strokes strokes =
+        svg(leg + leg + "<path id='leg-3' " + triangle + "/>" + leg + "<path id='leg-2' " + triangle + "/>");
     Lines names;
     for (std::size_t i = 0; i < strokes.calls.size(); ++i) names.push_back(part_of(strokes, i).name);
     CHECK(names == Lines{"leg", "leg-2", "leg-3", "leg-4", "leg-2-2"});
@@ -861,7 +924,8 @@ TEST_CASE("Attributes of a drawing's parts mean what the keys of strokes.json me
         svg("<path id='body' " + triangle +
             "/><path id='leg' data-depth='-2.5' data-view='side' data-symmetric='true' data-parent='body' "
             "data-height='0.5' data-label='tail' fill='#123456' " +
-            triangle + "/><path data-symmetric='false' " + triangle + "/><path data-symmetric='y' " + triangle + "/>");
+            triangle + "/><path data-symmetric='false' " + triangle + "/><path data-symmetric='y' " +
+            triangle + "/>");
     CHECK(part_of(strokes, 1) == PartStroke{"leg",
                                             {{0, 0}, {10, 0}, {0, 10}},
                                             -2.5,
@@ -882,7 +946,9 @@ TEST_CASE("Attributes of a drawing's parts mean what the keys of strokes.json me
 }
 
 TEST_CASE("The colour is that of the fill, else that of the outline") {
-    const auto colour = [](const std::string& attributes) { return shape("<path " + attributes + " " + triangle + "/>").colour; };
+    const auto colour = [](const std::string& attributes) {
+        return shape("<path " + attributes + " " + triangle + "/>").colour;
+    };
     using Colour = std::optional<Rgb8>;
     CHECK(colour("") == Colour{});
     CHECK(colour("fill='none'") == Colour{});
@@ -904,14 +970,17 @@ TEST_CASE("The colour is that of the fill, else that of the outline") {
     CHECK(colour("fill='transparent'") == Colour{});
     CHECK(shape("<g fill='red'><path " + triangle + "/></g>").colour == Rgb8{255, 0, 0});
     CHECK(shape("<g fill='red'><path fill='inherit' " + triangle + "/></g>").colour == Rgb8{255, 0, 0});
-    CHECK(shape("<g fill='red'><g style='fill:white'><path " + triangle + "/></g></g>").colour == Rgb8{255, 255, 255});
+    CHECK(shape("<g fill='red'><g style='fill:white'><path " + triangle + "/></g></g>").colour ==
+          Rgb8{255, 255, 255});
     CHECK(shape("<g fill='red'><path fill='none' " + triangle + "/></g>").colour == Colour{});
     for (const char* odd : {"url(#shade)", "bluish", "#12", "#ggg", "rgb(1,2)", "rgb(a,b,c)", "rgb", "#"}) {
-        const Strokes strokes = svg("<path id='p' fill='" + std::string(odd) + "' stroke='red' " + triangle + "/>");
+        const Strokes strokes =
+            svg("<path id='p' fill='" + std::string(odd) + "' stroke='red' " + triangle + "/>");
         CHECK(part_of(strokes, 0).colour == Rgb8{255, 0, 0});
         CHECK(strokes.repairs == Lines{"part 'p': '" + std::string(odd) + "' is no plain colour, left out"});
     }
-    CHECK(svg("<style>.a{fill:red}</style><path class='a' " + triangle + "/>").repairs == Lines{"style sheets are not followed"});
+    CHECK(svg("<style>.a{fill:red}</style><path class='a' " + triangle + "/>").repairs ==
+          Lines{"style sheets are not followed"});
 }
 
 TEST_CASE("What is not drawn is no part, and what cannot be one is named") {
@@ -919,18 +988,22 @@ TEST_CASE("What is not drawn is no part, and what cannot be one is named") {
     std::string inside = "<rect id='yes' width='1' height='1'/>";
     for (const char* group : {"defs", "clipPath", "symbol", "marker", "mask", "pattern", "metadata"})
         inside += "<" + std::string(group) + ">" + path + "</" + group + ">";
-    inside += "<g display='none'>" + path + "<text>t</text></g><g style='fill:red;display: NONE'>" + path + "</g>";
+    inside +=
+        "<g display='none'>" + path + "<text>t</text></g><g style='fill:red;display: NONE'>" + path + "</g>";
     inside += "<path display='none' d='nonsense'/><!-- comment --><title>t</title>";
     const Strokes strokes = svg(inside);
     REQUIRE(strokes.calls.size() == 1);
     CHECK(part_of(strokes, 0).name == "yes");
     CHECK(strokes.repairs.empty());
-    const Strokes others = svg("<rect width='1' height='1'/><line id='l' x2='1'/><text>t</text><image/><use href='#l'/>"
-                               "<path id='p' d=''/><path/><rect id='r' width='0' height='3'/><circle/><polygon/>");
+    const Strokes others =
+        svg("<rect width='1' height='1'/><line id='l' x2='1'/><text>t</text><image/><use href='#l'/>"
+            "<path id='p' d=''/><path/><rect id='r' width='0' height='3'/><circle/><polygon/>");
     CHECK(others.calls.size() == 1);
-    CHECK(others.repairs == Lines{"line 'l': not a shape with an inside, left out", "text: not a shape with an inside, left out",
-                                  "image: not a shape with an inside, left out", "use: not a shape with an inside, left out",
-                                  "path 'p': empty, left out", "path 'part-2': empty, left out", "rect 'r': empty, left out",
+    CHECK(others.repairs == Lines{"line 'l': not a shape with an inside, left out",
+                                  "text: not a shape with an inside, left out",
+                                  "image: not a shape with an inside, left out",
+                                  "use: not a shape with an inside, left out", "path 'p': empty, left out",
+                                  "path 'part-2': empty, left out", "rect 'r': empty, left out",
                                   "circle 'part-2': empty, left out", "polygon 'part-2': empty, left out"});
 }
 
@@ -948,8 +1021,8 @@ TEST_CASE("Open paths are closed, and of several subpaths the largest is taken, 
     CHECK(strokes.repairs == Lines{"part 'p': the largest subpath was kept, 2 others dropped"});
     CHECK(part_of(strokes, 0).stroke == Line{{10, 10}, {15, 10}, {15, 15}, {10, 15}});
     strokes = svg("<path id='p' d='M0 0h1v1zM10 10v5h5v-5'/>");
-    CHECK(strokes.repairs ==
-          Lines{"part 'p': the largest subpath was kept, 1 other dropped", "part 'p': the open path was closed"});
+    CHECK(strokes.repairs == Lines{"part 'p': the largest subpath was kept, 1 other dropped",
+                                   "part 'p': the open path was closed"});
     // Movements of the pen alone are no subpaths.
     CHECK(svg("<path d='M5 5M0 0h1v1zM10 10'/>").repairs.empty());
     strokes = svg("<path id='p' d='M0 0h0h5v5z'/>");
@@ -961,7 +1034,8 @@ TEST_CASE("A bad drawing is an error that names file, element and place") {
     CHECK(bad("<path id='p' d='M0 0L1'/>") == "drawing.svg: path 'p': d, character 7: a number is missing");
     CHECK(bad("<path inkscape:label='tail' id='p' d='M0 0L1'/>") ==
           "drawing.svg: path 'tail' (id 'p'): d, character 7: a number is missing");
-    CHECK(bad("<path id='p' d='M0 0L1 1'/>") == "drawing.svg: part 'p': a stroke needs at least three points");
+    CHECK(bad("<path id='p' d='M0 0L1 1'/>") ==
+          "drawing.svg: part 'p': a stroke needs at least three points");
     CHECK(bad("<path id='p' d='M3 3'/>") == "drawing.svg: part 'p': a stroke needs at least three points");
     CHECK(bad("<path id='p' transform='scale(0)' " + triangle + "/>") ==
           "drawing.svg: part 'p': a stroke needs at least three points");
@@ -969,36 +1043,48 @@ TEST_CASE("A bad drawing is an error that names file, element and place") {
           "drawing.svg: part 'p'.stroke[1][0]: must lie between -1e+15 and 1e+15");
     CHECK(bad("<path id='p' transform='spin(3)' d='M0 0'/>") ==
           "drawing.svg: path 'p': transform, character 8: there is no transform 'spin'");
-    CHECK(bad("<g id='g' transform='scale'><path/></g>") == "drawing.svg: g 'g': transform, character 6: '(' is missing");
+    CHECK(bad("<g id='g' transform='scale'><path/></g>") ==
+          "drawing.svg: g 'g': transform, character 6: '(' is missing");
     CHECK(bad("<g transform='scale(1e9)'><g id='g' transform='scale(1e9)'/></g>") ==
           "drawing.svg: g 'g': the transforms together are out of range");
-    CHECK(bad("<polygon id='p' points='1 2 3'/>") == "drawing.svg: polygon 'p': points: the last one has no y");
-    CHECK(bad("<polygon id='p' points='1 2 x'/>") == "drawing.svg: polygon 'p': points, character 5: a number is missing");
+    CHECK(bad("<polygon id='p' points='1 2 3'/>") ==
+          "drawing.svg: polygon 'p': points: the last one has no y");
+    CHECK(bad("<polygon id='p' points='1 2 x'/>") ==
+          "drawing.svg: polygon 'p': points, character 5: a number is missing");
     CHECK(bad("<rect id='r' width='-1' height='3'/>") == "drawing.svg: rect 'r': width must not be negative");
     CHECK(bad("<rect id='r' width='1em' height='3'/>") ==
           "drawing.svg: rect 'r': width, character 4: only the units px, in, cm, mm, Q, pt and pc are known");
     CHECK(bad("<circle id='c' r='-3'/>") == "drawing.svg: circle 'c': r must not be negative");
     CHECK(bad("<path id='p' data-depth='deep' " + triangle + "/>") ==
           "drawing.svg: path 'p': data-depth, character 1: a number is missing");
-    CHECK(bad("<path id='p' data-depth='1 2' " + triangle + "/>") == "drawing.svg: path 'p': data-depth must be a number");
-    CHECK(bad("<path id='p' data-depth='' " + triangle + "/>") == "drawing.svg: path 'p': data-depth must be a number");
-    CHECK(bad("<path id='p' data-height='0' " + triangle + "/>") == "drawing.svg: part 'p': height must be greater than 0");
-    CHECK(bad("<path id='p' data-view='back' " + triangle + "/>") == "drawing.svg: part 'p'.view: must be front, side or top");
+    CHECK(bad("<path id='p' data-depth='1 2' " + triangle + "/>") ==
+          "drawing.svg: path 'p': data-depth must be a number");
+    CHECK(bad("<path id='p' data-depth='' " + triangle + "/>") ==
+          "drawing.svg: path 'p': data-depth must be a number");
+    CHECK(bad("<path id='p' data-height='0' " + triangle + "/>") ==
+          "drawing.svg: part 'p': height must be greater than 0");
+    CHECK(bad("<path id='p' data-view='back' " + triangle + "/>") ==
+          "drawing.svg: part 'p'.view: must be front, side or top");
     CHECK(bad("<path id='p' data-symmetric='' " + triangle + "/>") ==
           "drawing.svg: part 'p'.symmetric: must be true, false, x, y or z");
     CHECK(bad("<path id='p' data-label='nose' " + triangle + "/>") ==
           "drawing.svg: part 'p'.label: must be head, body, limb, tail or wing");
-    CHECK(bad("<path id='p' data-parent='p' " + triangle + "/>") == "drawing.svg: part 'p': is its own parent");
-    CHECK(bad("<path id='p' data-parent='q' " + triangle + "/><path id='q' data-parent='p' " + triangle + "/>") ==
-          "drawing.svg: part 'p': the parent 'q' does not come before it");
-    CHECK(bad("<text>only</text>") == "drawing.svg: holds no path, polygon, polyline, rect, circle or ellipse");
-    CHECK(svg_error("<path " + triangle + "/>", "data-origin='1'") == "drawing.svg: data-origin must be two numbers");
+    CHECK(bad("<path id='p' data-parent='p' " + triangle + "/>") ==
+          "drawing.svg: part 'p': is its own parent");
+    CHECK(bad("<path id='p' data-parent='q' " + triangle + "/><path id='q' data-parent='p' " + triangle +
+              "/>") == "drawing.svg: part 'p': the parent 'q' does not come before it");
+    CHECK(bad("<text>only</text>") ==
+          "drawing.svg: holds no path, polygon, polyline, rect, circle or ellipse");
+    CHECK(svg_error("<path " + triangle + "/>", "data-origin='1'") ==
+          "drawing.svg: data-origin must be two numbers");
     CHECK(svg_error("<path " + triangle + "/>", "data-origin='1 b'") ==
           "drawing.svg: data-origin, character 3: a number is missing");
 }
 
 TEST_CASE("What is not SVG is an error") {
-    const auto bad = [](const std::string& text) { return message_of([&] { strokes_from_svg(text, "drawing.svg"); }); };
+    const auto bad = [](const std::string& text) {
+        return message_of([&] { strokes_from_svg(text, "drawing.svg"); });
+    };
     CHECK(bad("") == "drawing.svg: not valid XML (line 1): no document element found");
     CHECK(bad("plain text") == "drawing.svg: not valid XML (line 1): no document element found");
     CHECK(bad("<svg>\n<g>\n</svg>") == "drawing.svg: not valid XML (line 3): start-end tags mismatch");
@@ -1013,7 +1099,8 @@ TEST_CASE("What is not SVG is an error") {
     };
     CHECK(svg(deep(150)).calls.size() == 1);
     CHECK(svg_error(deep(100'000)) == "drawing.svg: groups are nested too deeply");
-    const std::string text = svg_text("<g transform='scale(2)'><path id='p' fill='red' " + triangle + "/></g>");
+    const std::string text =
+        svg_text("<g transform='scale(2)'><path id='p' fill='red' " + triangle + "/></g>");
     for (std::size_t length = 0; length + 3 < text.size(); ++length)
         CHECK_THROWS_AS(strokes_from_svg(text.substr(0, length), "drawing.svg"), Error);
     // Damaged bytes give a model or an error, nothing else.
@@ -1021,7 +1108,8 @@ TEST_CASE("What is not SVG is an error") {
     for (int round = 0; round < 3000; ++round) {
         std::string damaged = text;
         for (int k = random.integer(1, 4); k > 0; --k)
-            damaged[random.integer(0, static_cast<int>(damaged.size()) - 1)] = static_cast<char>(random.integer(0, 255));
+            damaged[random.integer(0, static_cast<int>(damaged.size()) - 1)] =
+                static_cast<char>(random.integer(0, 255));
         try {
             const Strokes strokes = strokes_from_svg(damaged, "drawing.svg");
             CHECK_FALSE(strokes.calls.empty());
@@ -1035,18 +1123,20 @@ TEST_CASE("What is not SVG is an error") {
 
 TEST_CASE("A part's name says what it is") {
     for (const char* name :
-         {"head", "Face", "EAR",     "ears",     "left_ear", "leftEar",  "ear2",    "ear.001",     "eye",
-          "Eyes", "horn", "antlers", "beak",     "snout",    "muzzle",   "nose",    "mouth",       "crown",
-          "hat",  "hair", "antenna", "antennae", "antennas", "forehead", "LEFTEar", "right-eye-3", "head of hair"})
+         {"head",     "Face",     "EAR",      "ears",    "left_ear",    "leftEar",     "ear2",
+          "ear.001",  "eye",      "Eyes",     "horn",    "antlers",     "beak",        "snout",
+          "muzzle",   "nose",     "mouth",    "crown",   "hat",         "hair",        "antenna",
+          "antennae", "antennas", "forehead", "LEFTEar", "right-eye-3", "head of hair"})
         CHECK(label_of_part(name) == Label::head);
-    for (const char* name :
-         {"body", "Torso", "torsoes", "trunk", "belly", "bellies", "chest", "abdomen", "shell", "neck", "upperBody"})
+    for (const char* name : {"body", "Torso", "torsoes", "trunk", "belly", "bellies", "chest", "abdomen",
+                             "shell", "neck", "upperBody"})
         CHECK(label_of_part(name) == Label::body);
-    for (const char* name : {"tail", "Tails", "tail_tip", "tail2", "my tail"}) CHECK(label_of_part(name) == Label::tail);
+    for (const char* name : {"tail", "Tails", "tail_tip", "tail2", "my tail"})
+        CHECK(label_of_part(name) == Label::tail);
     for (const char* name : {"left_wing", "wings", "leftwing", "rightWing", "hindwings", "Wing-2"})
         CHECK(label_of_part(name) == Label::wing);
-    for (const char* name : {"claw", "leg", "leftArm", "front leg", "hand", "part-3", "path1234", "", "blob", "42", "heart",
-                             "swing", "tailor", "forearm", "\xC3\xA4\xC3\xB6", "bodyguard"})
+    for (const char* name : {"claw", "leg", "leftArm", "front leg", "hand", "part-3", "path1234", "", "blob",
+                             "42", "heart", "swing", "tailor", "forearm", "\xC3\xA4\xC3\xB6", "bodyguard"})
         CHECK(label_of_part(name) == Label::limb);
     // The last word of a compound counts.
     CHECK(label_of_part("body_wing") == Label::wing);

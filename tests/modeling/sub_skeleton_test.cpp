@@ -67,7 +67,8 @@ void check_skeleton(const SubSkeleton& s) {
     }
     for (const auto& [a, b] : s.bones)
         for (int k = 1; k < 8; ++k)
-            CHECK(inside(s.outline.corners, s.joints[a].place + k / 8.0 * (s.joints[b].place - s.joints[a].place)));
+            CHECK(inside(s.outline.corners,
+                         s.joints[a].place + k / 8.0 * (s.joints[b].place - s.joints[a].place)));
 }
 
 // A blob whose radius is a sum of a few waves: limbs and bays.
@@ -155,7 +156,9 @@ TEST_CASE("BoundedDP keeps what Douglas and Peucker keep, and where the shape va
     CHECK(std::count(kept.begin(), kept.end(), 18) == 1);
     CHECK(kept.size() < 12);
     std::size_t fewest = kept.size();
-    for (const double threshold : {0.1, 0.3, 1.0, 3.0, 10.0}) CHECK(bounded_dp(cylinder, threshold, 1).size() <= std::max(fewest, bounded_dp(cylinder, 0.1, 1).size()));
+    for (const double threshold : {0.1, 0.3, 1.0, 3.0, 10.0})
+        CHECK(bounded_dp(cylinder, threshold, 1).size() <=
+              std::max(fewest, bounded_dp(cylinder, 0.1, 1).size()));
 }
 
 TEST_CASE("the sub-skeleton of a capsule is its axis") {
@@ -223,9 +226,11 @@ TEST_CASE("bad strokes are refused in a line") {
     CHECK(failure({{0, 0}, {1, 1}}) == "stroke: has fewer than three points");
     CHECK(failure({{0, 0}, {1, 1}, {2, 2}, {3, 3}}) == "stroke: has no area");
     CHECK(failure(Line(50, {3, 3})) == "stroke: has no area");
-    CHECK(failure({{0, 0}, {1, std::numeric_limits<double>::infinity()}, {2, 0}}) == "stroke: a coordinate is not a number");
+    CHECK(failure({{0, 0}, {1, std::numeric_limits<double>::infinity()}, {2, 0}}) ==
+          "stroke: a coordinate is not a number");
     CHECK(failure({{0, 0}, {0, 0}, {10, 0}, {10, 0}, {10, 10}, {0, 10}}) == "none");
     Line dense;
-    for (int i = 0; i < 1000000; ++i) dense.push_back({math::cos(2 * math::pi * i / 1e6), 0.5 * math::sin(2 * math::pi * i / 1e6)});
+    for (int i = 0; i < 1000000; ++i)
+        dense.push_back({math::cos(2 * math::pi * i / 1e6), 0.5 * math::sin(2 * math::pi * i / 1e6)});
     CHECK(failure(dense) == "none");
 }

@@ -14,7 +14,8 @@ namespace pantin::test {
 class NearestOnSurface {
 public:
     explicit NearestOnSurface(const SolidMesh& mesh) {
-        for (const auto& [a, b, c] : mesh.triangles) triangles_.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+        for (const auto& [a, b, c] : mesh.triangles)
+            triangles_.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
         boxes_.resize(2 * triangles_.size());
         build(0, 0, triangles_.size());
     }
@@ -29,8 +30,11 @@ private:
     struct Bounds {
         Vec3 low, high;
     };
-    // A node holds the triangles [begin, end); its first child is the next box, the second one comes after the first one's boxes.
-    static std::size_t second_child(std::size_t box, std::size_t begin, std::size_t middle) { return box + 2 * (middle - begin); }
+    // A node holds the triangles [begin, end); its first child is the next box, the second one comes after
+    // the first one's boxes.
+    static std::size_t second_child(std::size_t box, std::size_t begin, std::size_t middle) {
+        return box + 2 * (middle - begin);
+    }
 
     void build(std::size_t box, std::size_t begin, std::size_t end) {
         Bounds bounds{triangles_[begin][0], triangles_[begin][0]};
@@ -43,7 +47,9 @@ private:
         boxes_[box] = bounds;
         if (end - begin == 1) return;
         const Vec3 size = bounds.high - bounds.low;
-        const auto axis = size.x >= std::max(size.y, size.z) ? &Vec3::x : size.y >= size.z ? &Vec3::y : &Vec3::z;
+        const auto axis = size.x >= std::max(size.y, size.z) ? &Vec3::x
+                          : size.y >= size.z                 ? &Vec3::y
+                                                             : &Vec3::z;
         const std::size_t middle = begin + (end - begin) / 2;
         const auto sum = [&](const Triangle& t) { return t[0].*axis + t[1].*axis + t[2].*axis; };
         std::nth_element(triangles_.begin() + begin, triangles_.begin() + middle, triangles_.begin() + end,
@@ -69,7 +75,9 @@ private:
     }
 
     static double to_box(Vec3 p, const Bounds& box) {
-        const auto outside = [&](double Vec3::*axis) { return std::max({box.low.*axis - p.*axis, 0.0, p.*axis - box.high.*axis}); };
+        const auto outside = [&](double Vec3::*axis) {
+            return std::max({box.low.*axis - p.*axis, 0.0, p.*axis - box.high.*axis});
+        };
         return length(Vec3{outside(&Vec3::x), outside(&Vec3::y), outside(&Vec3::z)});
     }
     static double to_segment(Vec3 p, Vec3 a, Vec3 b) {
@@ -102,7 +110,8 @@ inline SurfaceDistance surface_distance(const SolidMesh& a, const SolidMesh& b) 
     std::size_t count = 0;
     const auto one_way = [&](const SolidMesh& from, const SolidMesh& to) {
         std::vector<Vec3> points = from.vertices;
-        for (const auto& [i, j, k] : from.triangles) points.push_back((1.0 / 3) * (from.vertices[i] + from.vertices[j] + from.vertices[k]));
+        for (const auto& [i, j, k] : from.triangles)
+            points.push_back((1.0 / 3) * (from.vertices[i] + from.vertices[j] + from.vertices[k]));
         const NearestOnSurface nearest(to);
         for (const Vec3& p : points) {
             const double d = nearest.distance_of(p);

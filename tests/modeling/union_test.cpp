@@ -39,7 +39,8 @@ double thickness_at(const SolidMesh& mesh, Point2d p) {
         const double twice = cross(u, v);
         if (twice == 0) continue;
         const double s = cross(p - o, v) / twice, t = cross(u, p - o) / twice;
-        if (s >= 0 && t >= 0 && s + t <= 1) highest = std::max(highest, a.z + s * (b.z - a.z) + t * (c.z - a.z));
+        if (s >= 0 && t >= 0 && s + t <= 1)
+            highest = std::max(highest, a.z + s * (b.z - a.z) + t * (c.z - a.z));
     }
     return highest;
 }
@@ -57,10 +58,12 @@ TEST_CASE("a long strip is inflated to a round bar") {
         const Inflation bar = inflate(test::capsule({-200, 0}, {200, 0}, half), options);
         const SolidMesh mesh = part_surface(bar, 1, front);
         CAPTURE(half);
-        for (const double x : {-80.0, 0.0, 33.0}) CHECK(thickness_at(mesh, {x, 0}) == Approx(half).epsilon(0.05));
+        for (const double x : {-80.0, 0.0, 33.0})
+            CHECK(thickness_at(mesh, {x, 0}) == Approx(half).epsilon(0.05));
         for (std::size_t p = 0; p < bar.points.size(); ++p) // a circle's chords
             if (std::abs(bar.points[p].x) < 120)
-                CHECK(std::abs(bar.squared[p] - (half * half - bar.points[p].y * bar.points[p].y)) < 0.1 * half * half); // 5 % of the thickness
+                CHECK(std::abs(bar.squared[p] - (half * half - bar.points[p].y * bar.points[p].y)) <
+                      0.1 * half * half); // 5 % of the thickness
         CHECK(bar.half_width == Approx(half).epsilon(0.1));
     }
 }
@@ -72,18 +75,21 @@ TEST_CASE("a disc of radius r is r over the root of two thick on each side, an e
         CAPTURE(r);
         CHECK(thickness_at(mesh, {5 * r, -3 * r}) == Approx(r / std::sqrt(2)).epsilon(0.02));
         CHECK(test::volume_of(mesh) == Approx(4.0 / 3 * math::pi * r * r * r / std::sqrt(2)).epsilon(0.03));
-        CHECK(test::volume_of(part_surface(ball, 0.5, front)) == Approx(0.5 * test::volume_of(mesh)).epsilon(1e-9));
+        CHECK(test::volume_of(part_surface(ball, 0.5, front)) ==
+              Approx(0.5 * test::volume_of(mesh)).epsilon(1e-9));
     }
 }
 
-TEST_CASE("the squared thickness solves Poisson's equation: nothing at the border, positive inside, the strip's at the most") {
+TEST_CASE("the squared thickness solves Poisson's equation: nothing at the border, positive inside, the "
+          "strip's at the most") {
     Random random(71);
     for (int round = 0; round < 20; ++round) {
         const std::vector<Point2d> stroke = test::blob(random, 3 + round % 5, 0.4);
         const Inflation inflation = inflate(stroke);
         double area = 0;
         for (const auto& [a, b, c] : inflation.triangles) {
-            const double twice = cross(inflation.points[b] - inflation.points[a], inflation.points[c] - inflation.points[a]);
+            const double twice =
+                cross(inflation.points[b] - inflation.points[a], inflation.points[c] - inflation.points[a]);
             CHECK(twice > 0);
             area += twice / 2;
         }
@@ -99,7 +105,8 @@ TEST_CASE("the squared thickness solves Poisson's equation: nothing at the borde
 TEST_CASE("front and back of a part are one closed surface, from every side and mirrored") {
     Random random(72);
     for (int round = 0; round < 50; ++round) {
-        const std::vector<Point2d> stroke = test::blob(random, 2 + round % 6, random.uniform(0.1, 0.5), random.uniform(0.01, 500));
+        const std::vector<Point2d> stroke =
+            test::blob(random, 2 + round % 6, random.uniform(0.1, 0.5), random.uniform(0.01, 500));
         const Inflation inflation = inflate(stroke);
         Frame frame;
         if (round % 3 == 1) frame = {{3, 4, 5}, {0, 0, -2}, {0, -2, 0}, {2, 0, 0}};
@@ -109,7 +116,8 @@ TEST_CASE("front and back of a part are one closed surface, from every side and 
         CHECK(test::surface_fault(mesh) == "");
         CHECK(test::components_of(mesh) == 1);
         CHECK(test::volume_of(mesh) > 0);
-        CHECK(mesh.vertices.size() + mesh.triangles.size() - mesh.triangles.size() * 3 / 2 == 2); // Euler: a sphere
+        CHECK(mesh.vertices.size() + mesh.triangles.size() - mesh.triangles.size() * 3 / 2 ==
+              2); // Euler: a sphere
         if (round % 5 == 0) CHECK(test::self_cuts(mesh) == 0);
     }
 }
@@ -138,9 +146,11 @@ TEST_CASE("the checker of self-intersection finds cuts and folds") {
 
 TEST_CASE("volumes of united solids follow the rule of sums") {
     const Inflation large = inflate(test::disc({0, 0}, 50)), small = inflate(test::disc({0, 0}, 20));
-    const double volume = test::volume_of(part_surface(large, 1, front)), less = test::volume_of(part_surface(small, 1, front));
+    const double volume = test::volume_of(part_surface(large, 1, front)),
+                 less = test::volume_of(part_surface(small, 1, front));
     const SolidMesh one = united({{&large, 1, front}}, 44);
-    CHECK(test::volume_of(one) == Approx(volume).epsilon(0.015)); // the part's own triangles are chords, so it is the smaller one
+    CHECK(test::volume_of(one) ==
+          Approx(volume).epsilon(0.015)); // the part's own triangles are chords, so it is the smaller one
     const SolidMesh apart = united({{&large, 1, front}, {&small, 1, shifted({90, 10, 0})}}, 60);
     CHECK(test::components_of(apart) == 2);
     CHECK(test::volume_of(apart) == Approx(volume + less).epsilon(0.015));
@@ -158,18 +168,21 @@ TEST_CASE("volumes of united solids follow the rule of sums") {
     constexpr int tries = 1500;
     const Vec3 low = test::lowest(second), size = test::highest(second) - low;
     for (int i = 0; i < tries; ++i) {
-        const Vec3 p = low + Vec3{random.uniform() * size.x, random.uniform() * size.y, random.uniform() * size.z};
+        const Vec3 p =
+            low + Vec3{random.uniform() * size.x, random.uniform() * size.y, random.uniform() * size.z};
         both += test::holds(first, p) && test::holds(second, p);
     }
     const double shared = size.x * size.y * size.z * both / tries;
-    CHECK(test::volume_of(united({{&large, 1, front}, {&large, 1, beside}}, 44)) == Approx(2 * volume - shared).epsilon(0.02));
+    CHECK(test::volume_of(united({{&large, 1, front}, {&large, 1, beside}}, 44)) ==
+          Approx(2 * volume - shared).epsilon(0.02));
 }
 
 TEST_CASE("the united surface of one part lies on that part's own") {
     Random random(74);
     for (int round = 0; round < 6; ++round) {
         const Inflation inflation = inflate(test::blob(random, 2 + round % 4, 0.3));
-        const SolidMesh exact = part_surface(inflation, 1, front), mesh = united({{&inflation, 1, front}}, 30);
+        const SolidMesh exact = part_surface(inflation, 1, front),
+                        mesh = united({{&inflation, 1, front}}, 30);
         CAPTURE(round);
         CHECK(test::surface_fault(mesh) == "");
         const Vec3 size = test::highest(exact) - test::lowest(exact);
@@ -186,7 +199,9 @@ TEST_CASE("random solids are united to closed surfaces that do not cut themselve
     for (int round = 0; round < 12; ++round) {
         std::vector<Inflation> inflations;
         const int count = random.integer(2, 5);
-        for (int i = 0; i < count; ++i) inflations.push_back(inflate(test::blob(random, random.integer(2, 6), random.uniform(0.1, 0.5), random.uniform(20, 80))));
+        for (int i = 0; i < count; ++i)
+            inflations.push_back(inflate(
+                test::blob(random, random.integer(2, 6), random.uniform(0.1, 0.5), random.uniform(20, 80))));
         std::vector<InflatedPart> parts;
         for (const Inflation& inflation : inflations) {
             const auto place = [&] { return random.uniform(-60, 60); };
@@ -208,6 +223,7 @@ TEST_CASE("what no grid can hold is an input error") {
     UnionOptions fine;
     fine.cell = 1e-4;
     CHECK_THROWS_AS(unite({{&ball, 1, front}}, fine), Error);
-    CHECK_THROWS_AS(unite({{&ball, 1e-3, front}}), Error);                           // between two layers of the grid
-    CHECK_THROWS_AS(unite({{&ball, 1, front}, {&ball, 1, shifted({1e9, 0, 0})}}), Error); // smaller than a cell
+    CHECK_THROWS_AS(unite({{&ball, 1e-3, front}}), Error); // between two layers of the grid
+    CHECK_THROWS_AS(unite({{&ball, 1, front}, {&ball, 1, shifted({1e9, 0, 0})}}),
+                    Error); // smaller than a cell
 }

@@ -34,8 +34,8 @@ Mapped map_figure(const LabelMap& labels, const std::string& expected, const Map
     const Identification found = identify(result.skeleton.graph, labels, references);
     REQUIRE(found.reference == expected);
     const ReferenceSkeleton& reference = find(references, expected);
-    result.mapping = map_end_effectors(result.skeleton.graph, labels, reference,
-                                       found.candidates[0], options);
+    result.mapping =
+        map_end_effectors(result.skeleton.graph, labels, reference, found.candidates[0], options);
     for (const EndPair& p : result.mapping.pairs) {
         const SkeletonVertex& v = result.skeleton.graph.vertices[p.end];
         result.places[reference.nodes[p.reference_end].name] = {v.x, v.y};
@@ -62,7 +62,8 @@ TEST_CASE("a mapping tells how its costs came about") {
             REQUIRE(c.distances.size() == n - 1);
             for (std::size_t k = 0; k + 1 < n; ++k)
                 for (std::size_t l = 0; l + 1 < m; ++l)
-                    REQUIRE(c.distances[k][l] == path_distance(mapping.paths[i][k], mapping.reference_paths[j][l], options.alpha));
+                    REQUIRE(c.distances[k][l] ==
+                            path_distance(mapping.paths[i][k], mapping.reference_paths[j][l], options.alpha));
         }
 }
 

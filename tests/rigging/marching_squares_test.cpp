@@ -29,7 +29,8 @@ double sharpest_corner(const Mesh& mesh) {
             const Point2d p[3] = {mesh.vertices[face[0]], mesh.vertices[face[i]], mesh.vertices[face[i + 1]]};
             for (int k = 0; k < 3; ++k) {
                 const Point2d u = p[(k + 1) % 3] - p[k], v = p[(k + 2) % 3] - p[k];
-                sharpest = std::min(sharpest, std::atan2(std::abs(cross(u, v)), dot(u, v)) * 180 / 3.14159265358979323846);
+                sharpest = std::min(sharpest, std::atan2(std::abs(cross(u, v)), dot(u, v)) * 180 /
+                                                  3.14159265358979323846);
             }
         }
     return sharpest;
@@ -161,9 +162,12 @@ TEST_CASE("every face knows which corners of its voxel lie inside") {
         REQUIRE(mesh.cases.size() == mesh.faces.size());
         for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
             Point2d middle;
-            for (const int v : mesh.faces[f]) middle = middle + 1.0 / static_cast<double>(mesh.faces[f].size()) * mesh.vertices[v];
-            const int x = static_cast<int>(std::floor(middle.x / cell)) * cell, y = static_cast<int>(std::floor(middle.y / cell)) * cell;
-            const int expected = mask.value_or(x, y, 0) | mask.value_or(x + cell, y, 0) << 1 | mask.value_or(x + cell, y + cell, 0) << 2 |
+            for (const int v : mesh.faces[f])
+                middle = middle + 1.0 / static_cast<double>(mesh.faces[f].size()) * mesh.vertices[v];
+            const int x = static_cast<int>(std::floor(middle.x / cell)) * cell,
+                      y = static_cast<int>(std::floor(middle.y / cell)) * cell;
+            const int expected = mask.value_or(x, y, 0) | mask.value_or(x + cell, y, 0) << 1 |
+                                 mask.value_or(x + cell, y + cell, 0) << 2 |
                                  mask.value_or(x, y + cell, 0) << 3;
             REQUIRE(int(mesh.cases[f]) == expected);
         }

@@ -91,8 +91,8 @@ TEST_CASE("smooth weights sum to exactly one, with at most four bones, and stay 
         CHECK(sum == 1.0);
         CHECK(single == 1.0f);
         const Point2d p = rig.mesh.vertices[v];
-        if (p.y > 80 && p.x < 34) CHECK(weight_of(w, shin) > 0.9);           // the foot
-        if (p.y > 62 && p.x < 34) CHECK(limb_weight(rig, w, leg) > 0.95);    // the leg
+        if (p.y > 80 && p.x < 34) CHECK(weight_of(w, shin) > 0.9);                                 // the foot
+        if (p.y > 62 && p.x < 34) CHECK(limb_weight(rig, w, leg) > 0.95);                          // the leg
         if (p.y < 44 && p.x > 30 && p.x < 90) CHECK(weight_of(w, 0) + weight_of(w, chest) > 0.95); // the back
         if (p.y < 44 && p.x > 75 && p.x < 90) CHECK(weight_of(w, 0) > 0.9);
         if (p.y < 44 && p.x > 30 && p.x < 36) CHECK(weight_of(w, chest) > 0.9);

@@ -32,7 +32,8 @@ Mask covered(const Mesh& mesh, int width, int height) {
             top = std::min(top, mesh.vertices[v].y), bottom = std::max(bottom, mesh.vertices[v].y);
         }
         for (int y = std::max(0, static_cast<int>(std::floor(top))); y <= std::min(height - 1.0, bottom); ++y)
-            for (int x = std::max(0, static_cast<int>(std::floor(left))); x <= std::min(width - 1.0, right); ++x)
+            for (int x = std::max(0, static_cast<int>(std::floor(left))); x <= std::min(width - 1.0, right);
+                 ++x)
                 if (face_holds(mesh, face, to_double(Point2i{x, y}))) mask(x, y) = 1;
     }
     return mask;
@@ -55,7 +56,8 @@ double slimness(const Mesh& mesh, const std::vector<int>& face) {
 
 } // namespace
 
-TEST_CASE("the Voronoi regions of a single pixel are four quarters of a square of half a pixel", "[voronoi_mesh]") {
+TEST_CASE("the Voronoi regions of a single pixel are four quarters of a square of half a pixel",
+          "[voronoi_mesh]") {
     Mask mask(16, 16);
     mask(5, 7) = 1;
     const Mesh mesh = voronoi_mesh(mask);
@@ -67,7 +69,8 @@ TEST_CASE("the Voronoi regions of a single pixel are four quarters of a square o
     CHECK(std::count(mesh.vertices.begin(), mesh.vertices.end(), Point2d{4.75, 6.75}) == 1);
 }
 
-TEST_CASE("meshes of Voronoi regions are proper, have the mask's pieces and holes, and cover the mask and nothing else",
+TEST_CASE("meshes of Voronoi regions are proper, have the mask's pieces and holes, and cover the mask and "
+          "nothing else",
           "[voronoi_mesh]") {
     Random random(18);
     for (int i = 0; i < 10; ++i) check_mesh_of(random_blobs(random, 40, 3 + 3 * i));
@@ -89,13 +92,15 @@ TEST_CASE("a margin grows the mesh of Voronoi regions, an empty mask has none", 
         for (int x = 10; x < 20; ++x) mask(x, y) = 1;
     CHECK(area_of(voronoi_mesh(mask)) == Approx(9.5 * 9.5));
     const Mesh grown = voronoi_mesh(mask, 3);
-    const auto [left, right] = std::minmax_element(grown.vertices.begin(), grown.vertices.end(), [](Point2d a, Point2d b) { return a.x < b.x; });
+    const auto [left, right] = std::minmax_element(grown.vertices.begin(), grown.vertices.end(),
+                                                   [](Point2d a, Point2d b) { return a.x < b.x; });
     CHECK(left->x == Approx(6.75));
     CHECK(right->x == Approx(22.25));
     CHECK(voronoi_mesh(Mask(20, 20)).faces.empty());
 }
 
-TEST_CASE("faces of Voronoi regions are long and thin where those of marching squares are not", "[voronoi_mesh]") {
+TEST_CASE("faces of Voronoi regions are long and thin where those of marching squares are not",
+          "[voronoi_mesh]") {
     Mask disc(80, 80);
     for (int y = 0; y < 80; ++y)
         for (int x = 0; x < 80; ++x) disc(x, y) = (x - 40) * (x - 40) + (y - 40) * (y - 40) <= 35 * 35;
@@ -117,7 +122,8 @@ TEST_CASE("a character can be rigged on a mesh of Voronoi regions", "[voronoi_me
     const Rig rig = tests::rig_of(tests::table(), options);
     CHECK(rig.mesh.vertices.size() > 1000);
     REQUIRE(rig.weights.size() == rig.mesh.vertices.size());
-    for (const VertexWeights& w : rig.weights) CHECK(w.weights[0] + w.weights[1] + w.weights[2] + w.weights[3] == 1);
+    for (const VertexWeights& w : rig.weights)
+        CHECK(w.weights[0] + w.weights[1] + w.weights[2] + w.weights[3] == 1);
     const int foot = tests::bone_named(rig, "leg_front_left.1");
     REQUIRE(foot > 0);
     const auto moves = [foot](const VertexWeights& w) { return w.bones[0] == foot && w.weights[0] > 0.5; };

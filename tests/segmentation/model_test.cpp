@@ -35,7 +35,9 @@ Tensor tensor_of(const WeightFile& file, const std::string& name) {
 }
 
 // Largest difference, relative to the larger of the value and one hundredth.
-Bytes with_header_text(const std::string& from, const std::string& to) { return with_text(weights(), from, to); }
+Bytes with_header_text(const std::string& from, const std::string& to) {
+    return with_text(weights(), from, to);
+}
 
 std::string failure(const Bytes& bytes) {
     return failure_of([&] { Segmenter(bytes, "w"); });
@@ -91,7 +93,8 @@ TEST_CASE("A weight file for another network is refused with the fact") {
     CHECK(failure(with_header_text("head,body", "body,head")) ==
           "w: metadata 'labels' is 'background,body,head,limb,tail,wing', not "
           "'background,head,body,limb,tail,wing'");
-    CHECK(failure(with_header_text("\"4,6,8,10\"", "\"4,6,8,99\"")).find("has another shape") != std::string::npos);
+    CHECK(failure(with_header_text("\"4,6,8,10\"", "\"4,6,8,99\"")).find("has another shape") !=
+          std::string::npos);
     CHECK(failure(with_header_text("\"4,6,8,10\"", "\"4,6,8,1x\"")) ==
           "w: metadata 'widths' has the impossible value '1x'");
     CHECK(failure(with_header_text("\"4,6,8,10\"", "\"4,6,8;10\"")) ==

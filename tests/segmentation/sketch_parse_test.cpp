@@ -66,8 +66,8 @@ TEST_CASE("A SketchParse weight file that does not fit is refused with the fact"
     CHECK(failure(weights()).empty());
     CHECK(failure(with_text(weights(), "Scale1.conv1.weight", "Scale1.conv7.weight")) ==
           "w: tensor 'Scale1.conv1.weight' is missing");
-    CHECK(failure(with_text(weights(), "Scale2.layer4_5_r1.0.conv1.weight", "Scale2.layer4_5_r7.0.conv1.weight")) ==
-          "w: the scales have different experts");
+    CHECK(failure(with_text(weights(), "Scale2.layer4_5_r1.0.conv1.weight",
+                            "Scale2.layer4_5_r7.0.conv1.weight")) == "w: the scales have different experts");
     CHECK(failure(with_text(weights(), "pose_r1.PoseC2.0.weight", "pose_r1.PoseC2.9.weight")) ==
           "w: tensor 'pose_r1.PoseC2.0.weight' is missing");
     CHECK(failure(Bytes(weights().begin(), weights().end() - 1)).rfind("w: ", 0) == 0);

@@ -25,7 +25,8 @@ Tensor bar(int side) {
     Tensor ink(1, 1, side, side);
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x)
-            ink(0, 0, y, x) = std::abs(y - side / 2 - (x - side / 2) / 4) < 4 && x > 5 && x < side - 9 ? 1.0f : 0.0f;
+            ink(0, 0, y, x) =
+                std::abs(y - side / 2 - (x - side / 2) / 4) < 4 && x > 5 && x < side - 9 ? 1.0f : 0.0f;
     return ink;
 }
 
@@ -69,7 +70,8 @@ TEST_CASE("A tilted drawing fills the square, and straightening brings it back")
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x)
                 if (view(0, 0, y, x) > 0.5f)
-                    left = std::min(left, x), right = std::max(right, x), top = std::min(top, y), bottom = std::max(bottom, y);
+                    left = std::min(left, x), right = std::max(right, x), top = std::min(top, y),
+                    bottom = std::max(bottom, y);
         CHECK(std::max(right - left, bottom - top) + 1 >= 0.9 * side);
         CHECK(left >= 0);
         CHECK(std::abs(left + right - side + 1) <= 2);

@@ -26,7 +26,8 @@ SkeletonizationOptions chordal() {
 }
 
 int junctions(const SkeletonGraph& graph) {
-    return static_cast<int>(std::count_if(graph.vertices.begin(), graph.vertices.end(), [](const auto& v) { return !v.end; }));
+    return static_cast<int>(
+        std::count_if(graph.vertices.begin(), graph.vertices.end(), [](const auto& v) { return !v.end; }));
 }
 
 struct Edge {
@@ -50,7 +51,8 @@ bool apart(const Edge& e, const Edge& f) {
     }
     return orientation(e.a, e.b, f.a) * orientation(e.a, e.b, f.b) > 0 ||
            orientation(f.a, f.b, e.a) * orientation(f.a, f.b, e.b) > 0 ||
-           std::max(e.a.x, e.b.x) < std::min(f.a.x, f.b.x) || std::max(f.a.x, f.b.x) < std::min(e.a.x, e.b.x) ||
+           std::max(e.a.x, e.b.x) < std::min(f.a.x, f.b.x) ||
+           std::max(f.a.x, f.b.x) < std::min(e.a.x, e.b.x) ||
            std::max(e.a.y, e.b.y) < std::min(f.a.y, f.b.y) || std::max(f.a.y, f.b.y) < std::min(e.a.y, e.b.y);
 }
 
@@ -140,7 +142,8 @@ TEST_CASE("the chordal axis of a ring is a cycle, that of a disc is nothing") {
     CHECK(cycles(skeletonize(all_of(ring, Label::limb), chordal()).graph) == 1);
 }
 
-TEST_CASE("chordal: hair and whiskers are no branches, thin limbs reach their tips, a fork ends where it forks") {
+TEST_CASE(
+    "chordal: hair and whiskers are no branches, thin limbs reach their tips, a fork ends where it forks") {
     Mask mask(321, 120);
     fill_capsule(mask, {60, 60}, {200, 60}, 20);
     for (const double x : {80, 120, 160}) fill_capsule(mask, {x, 40}, {x + 4, 30}, 1); // hair

@@ -274,16 +274,19 @@ TEST_CASE("a round shape with a small head gets a lower threshold instead of a s
     CHECK_THROWS_AS(skeletonize(duck, options), CharacterRejected);
 }
 
-TEST_CASE("straight skeleton, thinning and chordal axis give skeletons of the same kind as the Voronoi diagram") {
+TEST_CASE(
+    "straight skeleton, thinning and chordal axis give skeletons of the same kind as the Voronoi diagram") {
     LabelMap cross(161, 161);
     for (int y = 0; y < 161; ++y)
         for (int x = 0; x < 161; ++x) {
-            const bool across = std::abs(y - 80) <= 10 && x >= 5 && x <= 155, upright = std::abs(x - 80) <= 10 && y >= 5 && y <= 155;
+            const bool across = std::abs(y - 80) <= 10 && x >= 5 && x <= 155,
+                       upright = std::abs(x - 80) <= 10 && y >= 5 && y <= 155;
             if (across || upright)
-                cross(x, y) = static_cast<std::uint8_t>(std::max(std::abs(x - 80), std::abs(y - 80)) > 30 ? Label::limb : Label::body);
+                cross(x, y) = static_cast<std::uint8_t>(
+                    std::max(std::abs(x - 80), std::abs(y - 80)) > 30 ? Label::limb : Label::body);
         }
-    for (const SkeletonMethod method :
-         {SkeletonMethod::voronoi, SkeletonMethod::straight, SkeletonMethod::thinning, SkeletonMethod::chordal}) {
+    for (const SkeletonMethod method : {SkeletonMethod::voronoi, SkeletonMethod::straight,
+                                        SkeletonMethod::thinning, SkeletonMethod::chordal}) {
         SkeletonizationOptions options;
         options.method = method;
         const Skeletonization s = skeletonize(cross, options);
@@ -293,9 +296,10 @@ TEST_CASE("straight skeleton, thinning and chordal axis give skeletons of the sa
         for (std::size_t i = 0; i < s.skeleton.size(); ++i) CHECK((!s.skeleton.data()[i] || cross.data()[i]));
         int reached = 0; // arms with an end of label limb in their outer third
         for (const Point2d tip : {Point2d{5, 80}, {155, 80}, {80, 5}, {80, 155}})
-            reached += std::any_of(s.graph.vertices.begin(), s.graph.vertices.end(), [&](const SkeletonVertex& v) {
-                return v.end && v.label == Label::limb && distance({v.x, v.y}, tip) < 25;
-            });
+            reached +=
+                std::any_of(s.graph.vertices.begin(), s.graph.vertices.end(), [&](const SkeletonVertex& v) {
+                    return v.end && v.label == Label::limb && distance({v.x, v.y}, tip) < 25;
+                });
         CHECK(reached == 4);
     }
 }

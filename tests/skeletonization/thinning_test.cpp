@@ -41,8 +41,8 @@ Thinning literal_zhang_suen(Mask image) {
 } // namespace
 
 TEST_CASE("Zhang-Suen by hand: a bar, a line, a square, the whole image") {
-    // C_c and C_d: the eastern and southern sides and the upper left corner go. C_c' and C_d': the upper side and
-    // both ends of the middle row, which still have neighbours in it.
+    // C_c and C_d: the eastern and southern sides and the upper left corner go. C_c' and C_d': the upper side
+    // and both ends of the middle row, which still have neighbours in it.
     CHECK(rows_of(zhang_suen(picture({
               "........",
               ".######.",

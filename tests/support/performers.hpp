@@ -1,4 +1,5 @@
-// Recorded motions made by the tests: a performer of one height whose joints have the names of one program or another.
+// Recorded motions made by the tests: a performer of one height whose joints have the names of one program or
+// another.
 #pragma once
 
 #include <cmath>
@@ -13,31 +14,47 @@ namespace pantin::test {
 struct JointNames {
     std::string left, right, hips, neck, head, upper_arm, forearm, hand, thigh, shin, foot;
 };
-inline const JointNames mixamo = {"Left", "Right", "mixamorig:Hips", "mixamorig:Neck", "mixamorig:Head",
-                                  "mixamorig:<Arm", "mixamorig:<ForeArm", "mixamorig:<Hand",
-                                  "mixamorig:<UpLeg", "mixamorig:<Leg", "mixamorig:<Foot"};
+inline const JointNames mixamo = {"Left",
+                                  "Right",
+                                  "mixamorig:Hips",
+                                  "mixamorig:Neck",
+                                  "mixamorig:Head",
+                                  "mixamorig:<Arm",
+                                  "mixamorig:<ForeArm",
+                                  "mixamorig:<Hand",
+                                  "mixamorig:<UpLeg",
+                                  "mixamorig:<Leg",
+                                  "mixamorig:<Foot"};
 
-// Three angles (about z, x, y, in degrees) of a joint at a time in seconds; the joint by its plain English name.
+// Three angles (about z, x, y, in degrees) of a joint at a time in seconds; the joint by its plain English
+// name.
 using Posture = std::function<std::vector<double>(const std::string& joint, double time)>;
 
-// Facing +z, y up, legs of 80 units, arms of 50 held out to the sides at rest; the root at (10 · time, 85, 40 · time).
-inline std::string performer(const JointNames& names, const Posture& posture, int frames = 31, double frame_time = 1.0 / 30) {
+// Facing +z, y up, legs of 80 units, arms of 50 held out to the sides at rest; the root at (10 · time, 85, 40
+// · time).
+inline std::string performer(const JointNames& names, const Posture& posture, int frames = 31,
+                             double frame_time = 1.0 / 30) {
     std::string order, hierarchy;
     std::vector<std::string> joints;
     const auto side = [&](const std::string& name, bool left) {
         const std::size_t at = name.find('<');
-        return at == std::string::npos ? name : name.substr(0, at) + (left ? names.left : names.right) + name.substr(at + 1);
+        return at == std::string::npos
+                   ? name
+                   : name.substr(0, at) + (left ? names.left : names.right) + name.substr(at + 1);
     };
     const auto triple = [](double x, double y, double z) {
         return std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z);
     };
     const auto open = [&](const std::string& plain, const std::string& name, const std::string& offset) {
         joints.push_back(plain);
-        hierarchy += (joints.size() == 1 ? "ROOT " : "JOINT ") + name + "\n{\nOFFSET " + offset + "\nCHANNELS ";
+        hierarchy +=
+            (joints.size() == 1 ? "ROOT " : "JOINT ") + name + "\n{\nOFFSET " + offset + "\nCHANNELS ";
         hierarchy += joints.size() == 1 ? "6 Xposition Yposition Zposition " : "3 ";
         hierarchy += "Zrotation Xrotation Yrotation\n";
     };
-    const auto end = [&](const std::string& offset) { hierarchy += "End Site\n{\nOFFSET " + offset + "\n}\n"; };
+    const auto end = [&](const std::string& offset) {
+        hierarchy += "End Site\n{\nOFFSET " + offset + "\n}\n";
+    };
     const auto close = [&](int count) {
         while (count-- > 0) hierarchy += "}\n";
     };
@@ -69,7 +86,8 @@ inline std::string performer(const JointNames& names, const Posture& posture, in
             for (const double angle : posture(joint, time)) values += " " + std::to_string(angle);
         values += "\n";
     }
-    return hierarchy + "MOTION\nFrames: " + std::to_string(frames) + "\nFrame Time: " + std::to_string(frame_time) + "\n" + values;
+    return hierarchy + "MOTION\nFrames: " + std::to_string(frames) +
+           "\nFrame Time: " + std::to_string(frame_time) + "\n" + values;
 }
 
 // Arms up and down at the sides, legs apart and together: all in the frontal plane.

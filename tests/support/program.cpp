@@ -20,8 +20,9 @@ std::string program() {
     return std::filesystem::absolute(name).string();
 }
 
-[[noreturn]] void become(const std::string& file, const std::vector<std::string>& arguments, const Environment& environment,
-                         const std::string& in, const std::string& out, const std::string& err) {
+[[noreturn]] void become(const std::string& file, const std::vector<std::string>& arguments,
+                         const Environment& environment, const std::string& in, const std::string& out,
+                         const std::string& err) {
     const int to_out = open(out.c_str(), O_WRONLY | O_CREAT, 0600),
               to_err = open(err.c_str(), O_WRONLY | O_CREAT, 0600);
     const int from_in = open(in.c_str(), O_RDONLY);
@@ -38,8 +39,9 @@ std::string program() {
     _exit(127);
 }
 
-Outcome run(const std::string& file, const std::vector<std::string>& arguments, const Environment& environment,
-            const std::string& standard_output, const std::string& standard_input) {
+Outcome run(const std::string& file, const std::vector<std::string>& arguments,
+            const Environment& environment, const std::string& standard_output,
+            const std::string& standard_input) {
     const TemporaryFolder folder;
     const std::string err = (folder / "err").string();
     const std::string out = standard_output.empty() ? (folder / "out").string() : standard_output;

@@ -15,7 +15,8 @@ struct Outcome {
 
 using Environment = std::vector<std::pair<std::string, std::string>>;
 
-// `standard_output`: a file to write to instead of keeping the output. `standard_input`: what the program reads there.
+// `standard_output`: a file to write to instead of keeping the output. `standard_input`: what the program
+// reads there.
 Outcome run_pantin(const std::vector<std::string>& arguments, const Environment& environment = {},
                    const std::string& standard_output = "", const std::string& standard_input = "");
 

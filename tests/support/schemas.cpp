@@ -29,7 +29,9 @@ const valijson::Schema& parsed(const std::string& name) {
 
 } // namespace
 
-nlohmann::json read_schema(const std::string& schema) { return nlohmann::json::parse(read("docs/schemas/" + schema + ".schema.json")); }
+nlohmann::json read_schema(const std::string& schema) {
+    return nlohmann::json::parse(read("docs/schemas/" + schema + ".schema.json"));
+}
 
 std::string schema_violation(const std::string& schema, const nlohmann::json& value) {
     valijson::ValidationResults results;

@@ -40,7 +40,8 @@ std::string square_glb(double moved = 0, Rgba8 colour = {255, 0, 0, 255}) {
 } // namespace
 
 TEST_CASE("JSON: numbers by their bits, with place, values and the largest difference", "[verify]") {
-    const FileDifference d = difference("a.json", R"({"list": [{"x": 1.5}, {"x": 2}], "name": "n"})", R"({"list": [{"x": 1.25}, {"x": 3}], "name": "m"})");
+    const FileDifference d = difference("a.json", R"({"list": [{"x": 1.5}, {"x": 2}], "name": "n"})",
+                                        R"({"list": [{"x": 1.25}, {"x": 3}], "name": "m"})");
     CHECK(d.place == "list[0].x");
     CHECK(d.first == "1.5");
     CHECK(d.second == "1.25");
@@ -58,7 +59,8 @@ TEST_CASE("JSON: structure", "[verify]") {
     CHECK(shorter.place == "a");
     CHECK(shorter.first == "2 elements");
     CHECK(shorter.second == "1 elements");
-    const FileDifference missing = difference("a.json", R"({"a": 1, "b": {"c": "text"}})", R"({"a": 1, "b": {}, "d": null})");
+    const FileDifference missing =
+        difference("a.json", R"({"a": 1, "b": {"c": "text"}})", R"({"a": 1, "b": {}, "d": null})");
     CHECK(missing.place == "b.c");
     CHECK(missing.first == "\"text\"");
     CHECK(missing.second == "missing");
@@ -69,7 +71,8 @@ TEST_CASE("JSON: structure", "[verify]") {
 }
 
 TEST_CASE("Text: words that are numbers by their values", "[verify]") {
-    const FileDifference d = difference("mesh.obj", "# mesh\nv 1 2.5 3\nv 4 5 6\n", "# mesh\nv 1 2.25 3\nv 4 5 -6\n");
+    const FileDifference d =
+        difference("mesh.obj", "# mesh\nv 1 2.5 3\nv 4 5 6\n", "# mesh\nv 1 2.25 3\nv 4 5 -6\n");
     CHECK(d.place == "line 2, word 3");
     CHECK(d.values == 2);
     CHECK(d.largest == 12);
@@ -119,15 +122,19 @@ TEST_CASE("Films: frame, pixel and delay", "[verify]") {
     std::vector<RgbaImage> others = frames;
     others[1](2, 2) = {0, 255, 0, 255};
 #ifdef PANTIN_WEBP
-    const FileDifference webp = difference("a.webp", as_text(encode_webp(frames, 25)), as_text(encode_webp(others, 25)));
+    const FileDifference webp =
+        difference("a.webp", as_text(encode_webp(frames, 25)), as_text(encode_webp(others, 25)));
     CHECK(webp.place == "frame 2, pixel (2, 2), red");
     CHECK(webp.picture.has_value());
-    CHECK(difference("a.webp", as_text(encode_webp(frames, 25)), as_text(encode_webp(frames, 20))).place == "frame 1, delay");
+    CHECK(difference("a.webp", as_text(encode_webp(frames, 25)), as_text(encode_webp(frames, 20))).place ==
+          "frame 1, delay");
 #endif
 #ifdef PANTIN_GIF
-    CHECK(difference("a.gif", as_text(encode_gif(frames, 25)), as_text(encode_gif(others, 25))).place.starts_with("frame 2, pixel (2, 2)"));
+    CHECK(difference("a.gif", as_text(encode_gif(frames, 25)), as_text(encode_gif(others, 25)))
+              .place.starts_with("frame 2, pixel (2, 2)"));
     frames.pop_back();
-    CHECK(difference("a.gif", as_text(encode_gif(others, 25)), as_text(encode_gif(frames, 25))).second == "2 frames");
+    CHECK(difference("a.gif", as_text(encode_gif(others, 25)), as_text(encode_gif(frames, 25))).second ==
+          "2 frames");
 #endif
 }
 
@@ -144,7 +151,8 @@ TEST_CASE("A damaged file is an error that names it", "[verify]") {
     long_text.replace(12, 4, "\xfc\xff\xff\xff"); // length of the JSON chunk
     const std::string long_accessor = as_text(pack_glb(
         R"({"asset": {}, "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4611686018427387904, "type": "SCALAR"}],
-            "bufferViews": [{"byteOffset": 0, "byteLength": 4}]})", {0, 0, 0, 0}));
+            "bufferViews": [{"byteOffset": 0, "byteLength": 4}]})",
+        {0, 0, 0, 0}));
     for (const auto& [name, first, second] : std::vector<std::tuple<std::string, std::string, std::string>>{
              {"a.json", "{}", "{"},
              {"a.png", good, good.substr(0, good.size() / 2)},
@@ -188,7 +196,8 @@ TEST_CASE("Folders: by the stages that made the files, in the order of the flow"
     CHECK(found.stages[0].stage == "h2");
     CHECK(found.stages[1].stage == "weights");
     CHECK(found.stages[2].stage == "other files");
-    CHECK(comparison_table(found) == "h2\n  character-1/skeleton.json: x: 1 and 1.5\nweights\n  character-1/weights.txt: missing and a file\n"
+    CHECK(comparison_table(found) == "h2\n  character-1/skeleton.json: x: 1 and 1.5\nweights\n  "
+                                     "character-1/weights.txt: missing and a file\n"
                                      "other files\n  notes: a file and missing\n3 of 4 files differ");
     CHECK_THROWS_AS(compare_folders(folder / "a", folder / "none"), Error);
 }

@@ -28,7 +28,8 @@ std::set<std::string> differing(const Verification& verification) {
 
 } // namespace
 
-TEST_CASE("Every stage on every drawing agrees with the stored results, stage by stage and end to end", "[verify]") {
+TEST_CASE("Every stage on every drawing agrees with the stored results, stage by stage and end to end",
+          "[verify]") {
     const Verification verification = verify();
     INFO(verification_table(verification));
     CHECK(verification.first_difference() == nullptr);
@@ -49,8 +50,8 @@ TEST_CASE("Every stage on every drawing agrees with the stored results, stage by
     CHECK(whole.digest == verification.digest);
 }
 
-// One option of each stage is changed, all at once: since stages take the stored input, each change shows where it is made and
-// nowhere else.
+// One option of each stage is changed, all at once: since stages take the stored input, each change shows
+// where it is made and nowhere else.
 TEST_CASE("A changed option is seen in its stage alone, with file, place and both values", "[verify]") {
     VerificationSettings settings;
     settings.options.detection.working_size = 150;
@@ -65,9 +66,11 @@ TEST_CASE("A changed option is seen in its stage alone, with file, place and bot
     INFO(verification_table(verification));
     const std::set<std::string> found = differing(verification);
     for (const char* stage : {"detect", "identify", "map", "bones", "weights", "animate"})
-        for (const char* drawing : {"humanoid", "quadruped", "flyer"}) CHECK(found.count(std::string(stage) + "/" + drawing) == 1);
+        for (const char* drawing : {"humanoid", "quadruped", "flyer"})
+            CHECK(found.count(std::string(stage) + "/" + drawing) == 1);
     CHECK(found.count("unite/humanoid") == 1);
-    const std::set<std::string> allowed = {"detect", "segment", "h2", "skeletonize", "identify", "map", "mesh", "bones", "weights", "animate", "unite"};
+    const std::set<std::string> allowed = {"detect", "segment", "h2",      "skeletonize", "identify", "map",
+                                           "mesh",   "bones",   "weights", "animate",     "unite"};
     for (const std::string& row : found) {
         CAPTURE(row);
         CHECK(allowed.count(row.substr(0, row.find('/'))) == 1);
@@ -92,7 +95,8 @@ TEST_CASE("A stage that throws differs by its message", "[verify]") {
     CHECK(differing(verification).size() == 3);
 }
 
-TEST_CASE("Every file of the vectors is made by one stage at first, and read only after it is made", "[verify]") {
+TEST_CASE("Every file of the vectors is made by one stage at first, and read only after it is made",
+          "[verify]") {
     for (const VerifiedDrawing& drawing : verified_drawings()) {
         std::set<std::string> made = {"page.png"};
         for (const Stage& stage : verified_stages()) {
@@ -116,7 +120,8 @@ TEST_CASE("The README of the vectors describes every file and every stage", "[ve
         for (const auto* files : {&stage.inputs, &stage.outputs})
             for (const std::string& file : *files) {
                 CAPTURE(file);
-                const std::string name = file.starts_with(character_path) ? file.substr(character_path.size()) : file;
+                const std::string name =
+                    file.starts_with(character_path) ? file.substr(character_path.size()) : file;
                 CHECK(line.find("`" + name + "`") != std::string::npos);
             }
     }
@@ -126,7 +131,8 @@ TEST_CASE("What steps hand to each other survives the file to the bit", "[verify
     Rig rig = square_rig();
     rig.weights[4] = {{2, 0, 1, 0}, {0.7, 0.2, 0.1, 0}}; // descending, as everywhere but in that test figure
     rig.weights[8] = {{1, 0, 2, 0}, {0.5, 0.25, 0.25, 0}};
-    const std::string mesh = mesh_to_json(rig), bones = bones_to_json(rig), weights = to_weights_text(rig), depths = depths_to_json(rig);
+    const std::string mesh = mesh_to_json(rig), bones = bones_to_json(rig), weights = to_weights_text(rig),
+                      depths = depths_to_json(rig);
     const Rig read = rig_from_files(mesh, bones, weights, depths);
     CHECK(mesh_to_json(read) == mesh);
     CHECK(bones_to_json(read) == bones);

@@ -32,7 +32,7 @@ void bench_kernel(int rounds);
 void bench_segmenter(int rounds);
 void bench_graph_distance(int rounds);
 void bench_straight_skeleton(int rounds);
-void bench_skeletons(int rounds); // of testdata/labels_*.png
+void bench_skeletons(int rounds);                           // of testdata/labels_*.png
 void bench_modeling(const std::string& folder, int rounds); // label maps (*.png); none: drawings of our own
 
 } // namespace pantin::bench

@@ -2,7 +2,8 @@
 // Usage: bench [PAGE [ROUNDS]]
 //        bench modeling [FOLDER]       strokes to models alone; label maps whose silhouettes are taken
 //        bench skeletons [ROUNDS]      the 2D skeletons alone
-//        bench segmenter [ROUNDS]      the segmentation network alone (against_torch.py calls it in turns with PyTorch)
+//        bench segmenter [ROUNDS]      the segmentation network alone (against_torch.py calls it in turns
+//        with PyTorch)
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// From strokes to models (Ma et al. 2021, Table 2): the sub-skeletons of fifty silhouettes, one call of each kind on a model of
-// twelve parts, and whole models.
+// From strokes to models (Ma et al. 2021, Table 2): the sub-skeletons of fifty silhouettes, one call of each
+// kind on a model of twelve parts, and whole models.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -29,7 +29,8 @@ std::vector<std::vector<Point2d>> outlines(const std::string& folder) {
     if (folder.empty()) {
         const std::vector<std::string>& types = doodle::character_types();
         for (int i = 0; i < silhouettes; ++i)
-            found.push_back(outline_of(doodle::draw_character(types[i % types.size()], static_cast<std::uint64_t>(i)).labels));
+            found.push_back(outline_of(
+                doodle::draw_character(types[i % types.size()], static_cast<std::uint64_t>(i)).labels));
         return found;
     }
     std::vector<std::filesystem::path> files;
@@ -49,8 +50,8 @@ void bench_sub_skeletons(const std::string& folder, int rounds) {
         sum += times.back();
     }
     std::sort(times.begin(), times.end());
-    std::printf("\nsub-skeletons of %zu silhouettes (3.1)\n  median %.3f ms, mean %.3f, largest %.3f\n", times.size(), times[times.size() / 2],
-                sum / static_cast<double>(times.size()), times.back());
+    std::printf("\nsub-skeletons of %zu silhouettes (3.1)\n  median %.3f ms, mean %.3f, largest %.3f\n",
+                times.size(), times[times.size() / 2], sum / static_cast<double>(times.size()), times.back());
 }
 
 void bench_calls(const Strokes& strokes, int rounds) {
@@ -71,7 +72,8 @@ void bench_calls(const Strokes& strokes, int rounds) {
         std::sort(v.begin(), v.end());
         return v[v.size() / 2];
     };
-    std::printf("  add a part %.3f ms, move it %.3f (connection and refinement alone), refine all %.3f\n", middle(add), middle(move), middle(refine));
+    std::printf("  add a part %.3f ms, move it %.3f (connection and refinement alone), refine all %.3f\n",
+                middle(add), middle(move), middle(refine));
 }
 
 } // namespace
@@ -81,7 +83,8 @@ void bench_modeling(const std::string& folder, int rounds) {
     for (const char* name : {"cat", "panda", "octopus"}) {
         const std::string file = std::string("testdata/models/") + name + ".json";
         const Strokes strokes = strokes_from_json(read_text(file), file);
-        std::printf("\nmodel %s, %zu strokes, %zu parts with copies\n", name, strokes.calls.size(), Model(strokes).parts().size());
+        std::printf("\nmodel %s, %zu strokes, %zu parts with copies\n", name, strokes.calls.size(),
+                    Model(strokes).parts().size());
         bench_calls(strokes, 10 * rounds);
         SolidMesh mesh;
         const double whole = median_time([&] { mesh = Model(strokes).united(); }, rounds);
@@ -89,8 +92,9 @@ void bench_modeling(const std::string& folder, int rounds) {
         const double inflation = median_time([&] { Model(strokes).inflated(); }, rounds);
         const ModelView view = view_of(model, mesh);
         const double skin = median_time([&] { model_rig(model, mesh, view); }, rounds);
-        std::printf("  skeleton and inflation %.1f ms, with the union %.1f ms (%zu triangles), skin weights %.1f ms\n", inflation, whole,
-                    mesh.triangles.size(), skin);
+        std::printf("  skeleton and inflation %.1f ms, with the union %.1f ms (%zu triangles), skin weights "
+                    "%.1f ms\n",
+                    inflation, whole, mesh.triangles.size(), skin);
     }
 }
 

@@ -1,5 +1,5 @@
-// How many fused multiply-adds a second one thread of this machine can do at most: independent chains in registers, no
-// memory. What the convolution is measured against.
+// How many fused multiply-adds a second one thread of this machine can do at most: independent chains in
+// registers, no memory. What the convolution is measured against.
 #include <chrono>
 #include <cstdint>
 
@@ -46,7 +46,8 @@ double fma_peak(network::Simd simd) {
     if (simd != network::Simd::avx2 && simd != network::Simd::avx512) return 0;
     const int lanes = simd == network::Simd::avx512 ? 16 : 8;
     volatile float keep = 0;
-    const double time = least_time([&] { keep = simd == network::Simd::avx512 ? chains_avx512() : chains_avx2(); }, 10);
+    const double time =
+        least_time([&] { keep = simd == network::Simd::avx512 ? chains_avx512() : chains_avx2(); }, 10);
     return 2.0 * chains * lanes * static_cast<double>(steps) / (time * 1e6);
 }
 

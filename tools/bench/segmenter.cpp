@@ -13,8 +13,14 @@ void bench_segmenter(int rounds) {
     compare("segmentation network, forward",
             {{"one thread", [&] { net.forward(ink, one); }},
              {"two threads", [&] { net.forward(ink, two); }},
-             {"one thread, six looks", [&] { segmentation::look(net, ink, {true, 20, 30}, one); }},
-             {"two threads, six looks", [&] { segmentation::look(net, ink, {true, 20, 30}, two); }}},
+             {"one thread, six looks",
+              [&] {
+                  segmentation::look(net, ink, {true, 20, 30}, one);
+              }},
+             {"two threads, six looks",
+              [&] {
+                  segmentation::look(net, ink, {true, 20, 30}, two);
+              }}},
             5 * rounds);
 }
 

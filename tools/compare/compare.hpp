@@ -40,7 +40,7 @@ struct Figure {
     LabelMap labels;       // the label map as it lies on disk
     Mask mask;             // label > 0, closed with a 5×5 square, largest component, holes filled
     LabelMap near;         // every pixel of the mask with the nearest label, 0 elsewhere
-    LabelMap everywhere;   // every pixel of the image with the nearest label (what near_crc32_u8 is taken over)
+    LabelMap everywhere; // every pixel of the image with the nearest label (what near_crc32_u8 is taken over)
 };
 // Reads synth*.json and real_*.json; the label maps of the latter lie in `data`/label_maps.
 std::vector<Figure> load_figures(const std::filesystem::path& reference, const std::filesystem::path& data);

@@ -6,6 +6,7 @@
 namespace pantin::compare {
 
 // osb_random.json in both forms; the figures' end-effectors: order, costs, pairs.
-void mapping_stages(const std::filesystem::path& reference, const std::vector<Figure>& figures, Report& report);
+void mapping_stages(const std::filesystem::path& reference, const std::vector<Figure>& figures,
+                    Report& report);
 
 } // namespace pantin::compare

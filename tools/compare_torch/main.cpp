@@ -1,5 +1,5 @@
-// compare_torch mask-rcnn|sketch-parse WEIGHTS TRACE [THREADS]: the largest difference of each module's output.
-// Exit code 0 when all agree.
+// compare_torch mask-rcnn|sketch-parse WEIGHTS TRACE [THREADS]: the largest difference of each module's
+// output. Exit code 0 when all agree.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>

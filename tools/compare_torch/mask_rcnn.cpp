@@ -82,7 +82,8 @@ private:
     void features() {
         const std::vector<Tensor> stages = network_.backbone.forward(tensor("transformed"), runtime_);
         for (std::size_t i = 0; i < stages.size(); ++i) add("stage" + std::to_string(i), stages[i]);
-        const std::vector<Tensor> pyramid = network_.pyramid.forward(tensors("stage", stages.size()), runtime_);
+        const std::vector<Tensor> pyramid =
+            network_.pyramid.forward(tensors("stage", stages.size()), runtime_);
         for (std::size_t i = 0; i < pyramid.size(); ++i) add("level" + std::to_string(i), pyramid[i]);
     }
     void proposals() {
@@ -95,8 +96,7 @@ private:
             add("displacements" + number, ours.displacements);
             theirs.push_back({tensor("objectness" + number), tensor("displacements" + number)});
         }
-        differences_.push_back(compare_boxes("proposals",
-                                             propose(theirs, size_, network_.options.proposals),
+        differences_.push_back(compare_boxes("proposals", propose(theirs, size_, network_.options.proposals),
                                              regions_of(tensor("proposals"))));
     }
     void boxes() {

@@ -32,7 +32,8 @@ std::vector<Difference> compare_sketch_parse(const network::WeightFile& weights,
         add("scale" + number,
             s == 0 ? scores : network::resize_corners(scores, theirs.height(), theirs.width()));
     }
-    add("pose", network.pose[static_cast<std::size_t>(expert)].forward(read_tensor(trace, "scores"), runtime));
+    add("pose",
+        network.pose[static_cast<std::size_t>(expert)].forward(read_tensor(trace, "scores"), runtime));
 
     const sketch_parse::Result whole = network.forward(image, runtime);
     add("router", whole.router);

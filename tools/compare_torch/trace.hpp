@@ -1,5 +1,5 @@
-// Our networks against PyTorch's, module by module. A trace is a safetensors file with the input and output of
-// every module in one pass of PyTorch (tools/compare_torch.py writes it); each of our modules is fed with
+// Our networks against PyTorch's, module by module. A trace is a safetensors file with the input and output
+// of every module in one pass of PyTorch (tools/compare_torch.py writes it); each of our modules is fed with
 // PyTorch's own input.
 #pragma once
 
@@ -11,11 +11,11 @@
 namespace pantin::compare {
 
 struct Difference {
-    std::string what;       // the tensor's name in the trace
-    std::string shape;      // ours
-    double absolute = 0;    // largest |ours − theirs|; infinity when the shapes differ
-    double relative = 0;    // the same as a share of the tensor's largest |theirs|
-    double allowed = 1e-4;  // of the relative difference, or of the absolute one
+    std::string what;      // the tensor's name in the trace
+    std::string shape;     // ours
+    double absolute = 0;   // largest |ours − theirs|; infinity when the shapes differ
+    double relative = 0;   // the same as a share of the tensor's largest |theirs|
+    double allowed = 1e-4; // of the relative difference, or of the absolute one
     bool by_absolute = false;
     bool agrees() const { return (by_absolute ? absolute : relative) <= allowed; }
 };

@@ -18,7 +18,8 @@ RgbImage claimed(const RgbImage& page, const Grid<int>& claims) {
     RgbImage image = page;
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x)
-            if (const int id = claims(x, y); id > 0) image(x, y) = mixed(image(x, y), found_colours[(id - 1) % 6], 0.4);
+            if (const int id = claims(x, y); id > 0)
+                image(x, y) = mixed(image(x, y), found_colours[(id - 1) % 6], 0.4);
     return image;
 }
 
@@ -39,10 +40,12 @@ Figure mask_rcnn_figure(Gallery& gallery) {
         const Point2d corner = panel.at(f.left, f.top), other = panel.at(f.right, f.bottom);
         svg.rectangle({corner.x, corner.y, other.x - corner.x, other.y - corner.y}, stroked(colour, 2));
         svg.rectangle({corner.x - 1, corner.y, 104, 19}, filled(colour));
-        svg.text({corner.x + 51, corner.y + 14}, "character " + shown(f.score, 2, true), {.size = 12, .fill = paper, .bold = true});
+        svg.text({corner.x + 51, corner.y + 14}, "character " + shown(f.score, 2, true),
+                 {.size = 12, .fill = paper, .bold = true});
     }
     panel.caption("box, class, score and mask of what scores at least " + shown(least));
-    return {"fig-4.3-mask-rcnn.svg", svg.document("Output of the detection network: boxes, scores and masks")};
+    return {"fig-4.3-mask-rcnn.svg",
+            svg.document("Output of the detection network: boxes, scores and masks")};
 }
 
 Figure composed_figure() {
@@ -52,7 +55,8 @@ Figure composed_figure() {
     options.photo = options.paper = options.colour = 0;
     options.tilt = 2;
     options.fill = 0.9;
-    const doodle::Page page = doodle::draw_page({"humanoid", "quadruped", "flying", "quadruped:giraffe", "humanoid", "flying"}, 46, options);
+    const doodle::Page page = doodle::draw_page(
+        {"humanoid", "quadruped", "flying", "quadruped:giraffe", "humanoid", "flying"}, 46, options);
     Sheet sheet(3, 1, 300, 240);
     Panel drawing(sheet.svg(), sheet[0], options.width, options.height);
     drawing.picture(page.picture, options.width, options.height);
@@ -65,7 +69,9 @@ Figure composed_figure() {
     instances.picture(ids, options.width, options.height, true);
     for (const doodle::Character& c : page.characters) {
         const Point2d corner = instances.at(c.box.x - 0.5, c.box.y - 0.5);
-        sheet.svg().rectangle({corner.x, corner.y, instances.scale() * c.box.width, instances.scale() * c.box.height}, stroked(muted));
+        sheet.svg().rectangle(
+            {corner.x, corner.y, instances.scale() * c.box.width, instances.scale() * c.box.height},
+            stroked(muted));
     }
     instances.border();
     instances.caption("(b) truth for detection: box and mask");
@@ -90,7 +96,8 @@ Figure segmentation_figure(Gallery& gallery) {
     boxed.picture(page, page.width(), page.height());
     boxed.border();
     const Point2d corner = boxed.at(box.x - 0.5, box.y - 0.5);
-    sheet.svg().rectangle({corner.x, corner.y, boxed.scale() * box.width, boxed.scale() * box.height}, stroked(accent, 2));
+    sheet.svg().rectangle({corner.x, corner.y, boxed.scale() * box.width, boxed.scale() * box.height},
+                          stroked(accent, 2));
     boxed.caption("(b) box of the detected character, score " + shown(run.detected.score, 2, true));
     Panel mask(sheet.svg(), sheet[2], run.labels().width(), run.labels().height());
     mask.mask(run.detected.mask, silhouette_colour);
@@ -103,7 +110,8 @@ Figure segmentation_figure(Gallery& gallery) {
     return {"fig-4.7-detection-segmentation.svg", sheet.svg().document("A character's box, mask and parts")};
 }
 
-// --- borders -----------------------------------------------------------------------------------------------------
+// --- borders
+// -----------------------------------------------------------------------------------------------------
 
 // A ring with an island in its hole.
 Mask nested_mask() {
@@ -118,7 +126,8 @@ Mask nested_mask() {
 
 void draw_borders(Panel& panel, const std::vector<Border>& borders, double width) {
     for (const Border& border : borders)
-        panel.svg().polyline(panel.at(border.points), stroked(border.outer ? Rgb8{0, 170, 60} : fourth, width), true);
+        panel.svg().polyline(panel.at(border.points),
+                             stroked(border.outer ? Rgb8{0, 170, 60} : fourth, width), true);
 }
 
 Figure contour_figure(Gallery& gallery) {
@@ -141,7 +150,8 @@ Figure contour_figure(Gallery& gallery) {
     for (std::size_t b = 0; b < borders.size(); ++b) {
         const Point2d top = nested.at(60, borders[b].points.front().y);
         const std::string parent = borders[b].parent < 0 ? "the frame" : std::to_string(borders[b].parent);
-        sheet.svg().text({top.x, top.y + 22}, std::to_string(b) + ", in " + parent, {.size = 12, .fill = borders[b].outer ? paper : ink});
+        sheet.svg().text({top.x, top.y + 22}, std::to_string(b) + ", in " + parent,
+                         {.size = 12, .fill = borders[b].outer ? paper : ink});
     }
     nested.border();
     nested.caption("(c) nested: outer borders green, of holes orange");
@@ -151,7 +161,8 @@ Figure contour_figure(Gallery& gallery) {
 } // namespace
 
 std::vector<Figure> detection_figures(Gallery& gallery) {
-    return {mask_rcnn_figure(gallery), composed_figure(), segmentation_figure(gallery), contour_figure(gallery)};
+    return {mask_rcnn_figure(gallery), composed_figure(), segmentation_figure(gallery),
+            contour_figure(gallery)};
 }
 
 } // namespace pantin::figures

@@ -12,7 +12,8 @@ const Candidate& Run::candidate() const {
 }
 
 const ReferenceSkeleton& Gallery::reference(const std::string& name) const {
-    return *std::find_if(references_.begin(), references_.end(), [&](const ReferenceSkeleton& r) { return r.name == name; });
+    return *std::find_if(references_.begin(), references_.end(),
+                         [&](const ReferenceSkeleton& r) { return r.name == name; });
 }
 
 const RgbImage& Gallery::page(const std::string& file) {

@@ -34,8 +34,8 @@ public:
     const RgbImage& page(const std::string& file);
     // Its characters, detected by the network.
     const Detection& detection(const std::string& file);
-    // Number `index` of them through all steps of the preset "default" or "thesis". Both share detection and segmentation of the
-    // default preset, at its working size.
+    // Number `index` of them through all steps of the preset "default" or "thesis". Both share detection and
+    // segmentation of the default preset, at its working size.
     const Run& run(const std::string& file, std::size_t index = 0, const std::string& preset = "default");
     // A label map of the folder.
     LabelMap labels(const std::string& file) const;

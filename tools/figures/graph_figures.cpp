@@ -9,11 +9,13 @@ namespace pantin::figures {
 namespace {
 
 std::string counts(const SkeletonGraph& graph) {
-    const auto ends = std::count_if(graph.vertices.begin(), graph.vertices.end(), [](const SkeletonVertex& v) { return v.end; });
+    const auto ends = std::count_if(graph.vertices.begin(), graph.vertices.end(),
+                                    [](const SkeletonVertex& v) { return v.end; });
     return std::to_string(graph.vertices.size()) + " vertices, " + std::to_string(ends) + " ends";
 }
 
-void draw_graph(Svg& svg, Rectangle place, const Skeletonization& s, const SkeletonGraph& graph, const std::string& caption) {
+void draw_graph(Svg& svg, Rectangle place, const Skeletonization& s, const SkeletonGraph& graph,
+                const std::string& caption) {
     Panel panel(svg, place, s.mask.width(), s.mask.height());
     panel.mask(s.mask, silhouette_colour);
     panel.graph(graph, stroked(paper, 2), 5);
@@ -37,7 +39,8 @@ Figure h1_figure(Gallery& gallery) {
     legend(sheet.svg(), {margin, 24}, part_entries(run.labels()));
     draw_graph(sheet.svg(), sheet[0], run.skeleton, run.skeleton.raw, "(a) skeleton");
     draw_graph(sheet.svg(), sheet[1], run.skeleton, run.skeleton.after_h1, "(b) after H1");
-    return {"fig-4.11-heuristic-h1.svg", sheet.svg().document("The skeleton graph before and after heuristic H1")};
+    return {"fig-4.11-heuristic-h1.svg",
+            sheet.svg().document("The skeleton graph before and after heuristic H1")};
 }
 
 // The vertices that H2 merges first: the nearest two of one label.
@@ -47,7 +50,8 @@ Point2d nearest_pair(const SkeletonGraph& graph) {
     for (const SkeletonVertex& u : graph.vertices)
         for (const SkeletonVertex& v : graph.vertices) {
             const double d = distance(Point2d{u.x, u.y}, Point2d{v.x, v.y});
-            if (&u != &v && u.label == v.label && d < nearest) nearest = d, middle = 0.5 * (Point2d{u.x, u.y} + Point2d{v.x, v.y});
+            if (&u != &v && u.label == v.label && d < nearest)
+                nearest = d, middle = 0.5 * (Point2d{u.x, u.y} + Point2d{v.x, v.y});
         }
     return middle;
 }
@@ -62,10 +66,12 @@ Figure h2_figure(Gallery& gallery) {
     legend(svg, {margin, 24}, part_entries(run.labels()));
     for (int i = 0; i < 3; ++i) {
         draw_graph(svg, sheet[i], run.skeleton, *graphs[i], captions[i]);
-        draw_closeup(svg, {sheet[i].x, sheet.svg().height() + 4, 300, 150}, run.skeleton.mask, *graphs[i], centre);
+        draw_closeup(svg, {sheet[i].x, sheet.svg().height() + 4, 300, 150}, run.skeleton.mask, *graphs[i],
+                     centre);
     }
     svg.text({svg.width() / 2, svg.height() - 6}, "the chest, larger: two vertices closer than ε become one");
-    return {"fig-4.12-heuristic-h2.svg", svg.document("The skeleton graph, after heuristic H1, after heuristic H2")};
+    return {"fig-4.12-heuristic-h2.svg",
+            svg.document("The skeleton graph, after heuristic H1, after heuristic H2")};
 }
 
 } // namespace

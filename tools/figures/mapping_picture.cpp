@@ -31,23 +31,30 @@ void draw_figure(Panel& panel, const Mask& shape, const SkeletonGraph& graph, do
 
 Mask shape_of(const pantin::Figure& figure) {
     Mask mask(figure.squared_distance.width(), figure.squared_distance.height());
-    std::transform(figure.squared_distance.begin(), figure.squared_distance.end(), mask.begin(), [](int d) { return d > 0; });
+    std::transform(figure.squared_distance.begin(), figure.squared_distance.end(), mask.begin(),
+                   [](int d) { return d > 0; });
     return mask;
 }
 
-pantin::Figure reference_figure(const Run& run) { return draw_reference(*run.reference, run.candidate().mirrored); }
-pantin::Figure character_figure(const Run& run) { return make_figure(run.skeleton.graph, foreground(run.labels())); }
+pantin::Figure reference_figure(const Run& run) {
+    return draw_reference(*run.reference, run.candidate().mirrored);
+}
+pantin::Figure character_figure(const Run& run) {
+    return make_figure(run.skeleton.graph, foreground(run.labels()));
+}
 
 void draw_mapping(Svg& svg, Rectangle place, const Run& run, double radius) {
     const pantin::Figure reference = reference_figure(run), character = character_figure(run);
     const Mask model = shape_of(reference), shape = shape_of(character);
     const double left_width = 0.4 * place.width;
     Panel left(svg, {place.x, place.y, left_width, place.height}, model.width(), model.height());
-    Panel right(svg, {place.x + left_width, place.y, place.width - left_width, place.height}, shape.width(), shape.height());
+    Panel right(svg, {place.x + left_width, place.y, place.width - left_width, place.height}, shape.width(),
+                shape.height());
     draw_figure(left, model, reference.graph, radius);
     draw_figure(right, shape, character.graph, radius);
     for (const EndPair& pair : run.rig.mapping.pairs) {
-        const SkeletonVertex &a = reference.graph.vertices[pair.reference_end], &b = character.graph.vertices[pair.end];
+        const SkeletonVertex &a = reference.graph.vertices[pair.reference_end],
+                             &b = character.graph.vertices[pair.end];
         svg.line(left.at(a.x, a.y), right.at(b.x, b.y), stroked(highlight, 1.4));
     }
     for (const EndPair& pair : run.rig.mapping.pairs) { // above the lines

@@ -1,4 +1,5 @@
-// The reference and the character side by side with their end-effectors joined: Fig. 4.16, and a part of Fig. 4.1.
+// The reference and the character side by side with their end-effectors joined: Fig. 4.16, and a part of
+// Fig. 4.1.
 #pragma once
 
 #include "figures/gallery.hpp"

@@ -35,7 +35,8 @@ struct Window {
 // A matrix as a table; returns its right side.
 double draw_matrix(Svg& svg, Point2d at, const Tensor& matrix, const std::vector<Window>& windows) {
     for (const Window& w : windows)
-        svg.rectangle({at.x + cell * w.x, at.y + cell * w.y, cell * w.width, cell * w.height}, filled(pale(w.colour)));
+        svg.rectangle({at.x + cell * w.x, at.y + cell * w.y, cell * w.width, cell * w.height},
+                      filled(pale(w.colour)));
     for (int y = 0; y < matrix.height(); ++y)
         for (int x = 0; x < matrix.width(); ++x) {
             const Point2d corner{at.x + cell * x, at.y + cell * y};
@@ -43,14 +44,18 @@ double draw_matrix(Svg& svg, Point2d at, const Tensor& matrix, const std::vector
             svg.text({corner.x + cell / 2, corner.y + cell / 2 + 5}, shown(matrix(0, 0, y, x)));
         }
     for (const Window& w : windows)
-        svg.rectangle({at.x + cell * w.x, at.y + cell * w.y, cell * w.width, cell * w.height}, stroked(w.colour, 2.5));
+        svg.rectangle({at.x + cell * w.x, at.y + cell * w.y, cell * w.width, cell * w.height},
+                      stroked(w.colour, 2.5));
     return at.x + cell * matrix.width();
 }
 
 // input ∗ filter = output, with the window of output element (x, y).
-void draw_step(Svg& svg, Point2d at, const Tensor& input, const Tensor& filter, const Tensor& output, int x, int y) {
+void draw_step(Svg& svg, Point2d at, const Tensor& input, const Tensor& filter, const Tensor& output, int x,
+               int y) {
     const double middle = at.y + cell * input.height() / 2;
-    const auto beside = [&](double left, const Tensor& t) { return Point2d{left, middle - cell * t.height() / 2}; };
+    const auto beside = [&](double left, const Tensor& t) {
+        return Point2d{left, middle - cell * t.height() / 2};
+    };
     double right = draw_matrix(svg, at, input, {{x, y, 3, 3, second}});
     svg.text({right + 16, middle + 6}, "∗", {.size = 18});
     right = draw_matrix(svg, beside(right + 32, filter), filter, {});
@@ -62,9 +67,13 @@ void draw_step(Svg& svg, Point2d at, const Tensor& input, const Tensor& filter, 
         for (int column = 0; column < 3; ++column) {
             const float w = filter(0, 0, row, column), v = input(0, 0, y + row, x + column);
             if (w == 0) continue;
-            sum += (w < 0 ? " − " : sum.empty() ? "" : " + ") + (std::abs(w) == 1 ? "" : shown(std::abs(w)) + "·") + shown(v);
+            sum += (w < 0         ? " − "
+                    : sum.empty() ? ""
+                                  : " + ") +
+                   (std::abs(w) == 1 ? "" : shown(std::abs(w)) + "·") + shown(v);
         }
-    svg.text({at.x, at.y + cell * input.height() + 20}, sum + " = " + shown(output(0, 0, y, x)), {.anchor = Anchor::start});
+    svg.text({at.x, at.y + cell * input.height() + 20}, sum + " = " + shown(output(0, 0, y, x)),
+             {.anchor = Anchor::start});
 }
 
 // Values as grey: 0 white, the largest absolute value black.
@@ -81,8 +90,10 @@ RgbImage response_picture(const Tensor& response) {
 }
 
 Figure convolution_figure(Gallery& gallery) {
-    const Tensor input = tensor_of(5, 5, {3, 3, 2, 1, 0, 0, 0, 1, 3, 1, 3, 1, 2, 2, 3, 2, 0, 0, 2, 2, 2, 0, 0, 0, 1});
-    const std::vector<float> sobel_x = {1, 0, -1, 2, 0, -2, 1, 0, -1}, sobel_y = {1, 2, 1, 0, 0, 0, -1, -2, -1};
+    const Tensor input =
+        tensor_of(5, 5, {3, 3, 2, 1, 0, 0, 0, 1, 3, 1, 3, 1, 2, 2, 3, 2, 0, 0, 2, 2, 2, 0, 0, 0, 1});
+    const std::vector<float> sobel_x = {1, 0, -1, 2, 0, -2, 1, 0, -1},
+                             sobel_y = {1, 2, 1, 0, 0, 0, -1, -2, -1};
     const Tensor output = convolve(input, sobel_x);
 
     const RgbImage& page = gallery.page("humanoid.png");
@@ -93,7 +104,10 @@ Figure convolution_figure(Gallery& gallery) {
 
     const double width = 940, top = 40, picture = 270;
     Svg svg(width, top + 5 * cell + 52 + picture + 40);
-    svg.text({margin, 24}, "(a) A filter of 3×3 (here the Sobel operator S_x, Eq. 3.6) slides over the input: first and last step", {.size = 14, .anchor = Anchor::start});
+    svg.text({margin, 24},
+             "(a) A filter of 3×3 (here the Sobel operator S_x, Eq. 3.6) slides over the input: first and "
+             "last step",
+             {.size = 14, .anchor = Anchor::start});
     draw_step(svg, {margin, top}, input, tensor_of(3, 3, sobel_x), output, 0, 0);
     draw_step(svg, {margin + 478, top}, input, tensor_of(3, 3, sobel_x), output, 2, 2);
 
@@ -132,6 +146,8 @@ Figure pooling_figure() {
 
 } // namespace
 
-std::vector<Figure> network_figures(Gallery& gallery) { return {convolution_figure(gallery), pooling_figure()}; }
+std::vector<Figure> network_figures(Gallery& gallery) {
+    return {convolution_figure(gallery), pooling_figure()};
+}
 
 } // namespace pantin::figures

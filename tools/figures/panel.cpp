@@ -27,15 +27,18 @@ std::vector<Point2d> Panel::at(const std::vector<Point2i>& points) const {
 void Panel::picture(const RgbImage& image, int width, int height, bool sharp) {
     constexpr double detail = 1.6; // pixels of the file to one of the figure, at most
     const Point2d corner = at(-0.5, -0.5);
-    const int shown_width = static_cast<int>(detail * scale_ * width), shown_height = static_cast<int>(detail * scale_ * height);
+    const int shown_width = static_cast<int>(detail * scale_ * width),
+              shown_height = static_cast<int>(detail * scale_ * height);
     const bool shrinks = !sharp && image.width() > shown_width;
-    svg_.image({corner.x, corner.y, scale_ * width, scale_ * height}, encode_png(shrinks ? resize(image, shown_width, shown_height) : image), sharp);
+    svg_.image({corner.x, corner.y, scale_ * width, scale_ * height},
+               encode_png(shrinks ? resize(image, shown_width, shown_height) : image), sharp);
 }
 
 void Panel::mask(const Mask& mask, Rgb8 colour) {
     RgbaImage image(mask.width(), mask.height());
-    std::transform(mask.begin(), mask.end(), image.begin(),
-                   [colour](std::uint8_t v) { return v ? Rgba8{colour.r, colour.g, colour.b, 255} : Rgba8{}; });
+    std::transform(mask.begin(), mask.end(), image.begin(), [colour](std::uint8_t v) {
+        return v ? Rgba8{colour.r, colour.g, colour.b, 255} : Rgba8{};
+    });
     const Point2d corner = at(-0.5, -0.5);
     svg_.image({corner.x, corner.y, scale_ * mask.width(), scale_ * mask.height()}, encode_png(image), true);
 }
@@ -54,7 +57,8 @@ void Panel::border(Rgb8 colour) { svg_.rectangle(frame(), stroked(colour)); }
 void Panel::pixels(const std::vector<Point2i>& pixels, Rgb8 colour) {
     std::vector<std::vector<Point2d>> squares;
     for (const Point2i p : pixels)
-        squares.push_back(at(std::vector<Point2d>{{p.x - 0.5, p.y - 0.5}, {p.x + 0.5, p.y - 0.5}, {p.x + 0.5, p.y + 0.5}, {p.x - 0.5, p.y + 0.5}}));
+        squares.push_back(at(std::vector<Point2d>{
+            {p.x - 0.5, p.y - 0.5}, {p.x + 0.5, p.y - 0.5}, {p.x + 0.5, p.y + 0.5}, {p.x - 0.5, p.y + 0.5}}));
     if (!squares.empty()) svg_.polygons(squares, filled(colour));
 }
 
@@ -94,14 +98,17 @@ void Panel::mesh(const Mesh& mesh, const Style& style) {
     svg_.polygons(polygons, style);
 }
 
-void caption(Svg& svg, Rectangle place, const std::string& text) { svg.text({place.x + place.width / 2, place.y + place.height + 18}, text); }
+void caption(Svg& svg, Rectangle place, const std::string& text) {
+    svg.text({place.x + place.width / 2, place.y + place.height + 18}, text);
+}
 
 Sheet::Sheet(int columns, int rows, double width, double height, double header)
     : columns_(columns), width_(width), height_(height), header_(header),
       svg_(margin + columns * (width + margin), margin + header + rows * (height + caption_height + 6)) {}
 
 Rectangle Sheet::place(int column, int row) const {
-    return {margin + column * (width_ + margin), margin + header_ + row * (height_ + caption_height + 6), width_, height_};
+    return {margin + column * (width_ + margin), margin + header_ + row * (height_ + caption_height + 6),
+            width_, height_};
 }
 
 void legend(Svg& svg, Point2d at, const std::vector<std::pair<std::string, Rgb8>>& entries) {
@@ -115,7 +122,8 @@ void legend(Svg& svg, Point2d at, const std::vector<std::pair<std::string, Rgb8>
 std::vector<std::pair<std::string, Rgb8>> part_entries(const LabelMap& labels) {
     std::vector<std::pair<std::string, Rgb8>> entries;
     for (int label = 1; label < label_count; ++label)
-        if (std::count(labels.begin(), labels.end(), label) > 0) entries.emplace_back(label_names[label], part_colours[label]);
+        if (std::count(labels.begin(), labels.end(), label) > 0)
+            entries.emplace_back(label_names[label], part_colours[label]);
     return entries;
 }
 

@@ -20,11 +20,14 @@ public:
     // `content` is scaled to fit the middle of `place`.
     Panel(Svg& svg, Rectangle place, Rectangle content);
     // Content: pixels 0 … width − 1, each a unit square about its centre.
-    Panel(Svg& svg, Rectangle place, int width, int height) : Panel(svg, place, {-0.5, -0.5, width + 0.0, height + 0.0}) {}
+    Panel(Svg& svg, Rectangle place, int width, int height)
+        : Panel(svg, place, {-0.5, -0.5, width + 0.0, height + 0.0}) {}
 
     Svg& svg() { return svg_; }
     double scale() const { return scale_; }
-    Point2d at(Point2d p) const { return {left_ + scale_ * (p.x - content_.x), top_ + scale_ * (p.y - content_.y)}; }
+    Point2d at(Point2d p) const {
+        return {left_ + scale_ * (p.x - content_.x), top_ + scale_ * (p.y - content_.y)};
+    }
     Point2d at(double x, double y) const { return at(Point2d{x, y}); }
     std::vector<Point2d> at(const std::vector<Point2d>& points) const;
     std::vector<Point2d> at(const std::vector<Point2i>& points) const;

@@ -52,6 +52,8 @@ Figure overview_figure(Gallery& gallery) {
 
 } // namespace
 
-std::vector<Figure> pipeline_figures(Gallery& gallery) { return {overview_figure(gallery), page_figure(gallery)}; }
+std::vector<Figure> pipeline_figures(Gallery& gallery) {
+    return {overview_figure(gallery), page_figure(gallery)};
+}
 
 } // namespace pantin::figures

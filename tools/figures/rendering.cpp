@@ -8,7 +8,8 @@
 namespace pantin::figures {
 
 BoneAnimation clip_of(const Run& run, const std::string& clip) {
-    const auto found = std::find_if(run.reference->clips.begin(), run.reference->clips.end(), [&](const ReferenceClip& c) { return c.name == clip; });
+    const auto found = std::find_if(run.reference->clips.begin(), run.reference->clips.end(),
+                                    [&](const ReferenceClip& c) { return c.name == clip; });
     return retarget(run.rig, *run.reference, *found);
 }
 
@@ -21,9 +22,11 @@ void draw_film(Svg& svg, Rectangle place, const Run& run, const std::string& cli
     const FrameRenderer renderer(run.rig, texture, view, options);
     for (int i = 0; i < count; ++i) {
         const double share = start + static_cast<double>(i) / count;
-        const RgbaImage frame = renderer(skin(run.rig, animation, animation.duration * (share - static_cast<int>(share))));
+        const RgbaImage frame =
+            renderer(skin(run.rig, animation, animation.duration * (share - static_cast<int>(share))));
         const double width = place.width / count;
-        const Panel panel(svg, {place.x + i * width, place.y, width, place.height}, frame.width(), frame.height());
+        const Panel panel(svg, {place.x + i * width, place.y, width, place.height}, frame.width(),
+                          frame.height());
         svg.image(panel.frame(), encode_png(frame));
     }
 }

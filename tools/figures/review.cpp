@@ -22,7 +22,8 @@ Rectangle column(int index) { return {margin + index * (side + margin), 26, side
 void draw_detected(Svg& svg, const DetectedCharacter& character) {
     Panel panel(svg, column(0), character.mask.width(), character.mask.height());
     panel.picture(character.drawing, character.mask.width(), character.mask.height());
-    for (const Border& border : follow_borders(character.mask)) svg.polyline(panel.at(border.points), stroked(second, 1), true);
+    for (const Border& border : follow_borders(character.mask))
+        svg.polyline(panel.at(border.points), stroked(second, 1), true);
 }
 
 void draw_steps(Svg& svg, const Run& run) {
@@ -66,7 +67,8 @@ void write_review(const std::string& pictures, const fs::path& out) {
         if ((extension != ".png" && extension != ".jpg") || file.rfind("labels", 0) == 0) continue;
         Gallery gallery(pictures);
         for (std::size_t i = 0; i < gallery.detection(file).characters.size(); ++i)
-            write_file(out / (fs::path(file).stem().string() + "-" + std::to_string(i + 1) + ".svg"), review_of(gallery, file, i));
+            write_file(out / (fs::path(file).stem().string() + "-" + std::to_string(i + 1) + ".svg"),
+                       review_of(gallery, file, i));
     }
 }
 

@@ -18,12 +18,13 @@ namespace fs = std::filesystem;
 
 // What counts as success where the truth is known.
 constexpr double least_silhouette = 0.5, least_parts = 0.6; // intersection over union; 0.5 as in AP50
-constexpr double least_piece = 0.01;                         // of the figure: smaller pieces of a part need no end-effector
-constexpr double near_end = 0.03;                            // of the figure's longer side
+constexpr double least_piece = 0.01; // of the figure: smaller pieces of a part need no end-effector
+constexpr double near_end = 0.03;    // of the figure's longer side
 
 struct Judged {
     CharacterResult result;
-    int pieces = 0, reached = 0; // of the truth's heads, limbs, tails and wings: how many have an end-effector
+    int pieces = 0,
+        reached = 0; // of the truth's heads, limbs, tails and wings: how many have an end-effector
     std::size_t vertices = 0, edges = 0, raw_vertices = 0; // of the skeleton graph, and before the heuristics
     std::string type; // that was identified; "" when it did not get so far
 
@@ -34,20 +35,26 @@ struct Judged {
 };
 
 // The skeleton's end-effectors on the page.
-std::vector<std::pair<Point2d, Label>> ends_on_page(const SkeletonGraph& graph, const PageCharacter& character) {
+std::vector<std::pair<Point2d, Label>> ends_on_page(const SkeletonGraph& graph,
+                                                    const PageCharacter& character) {
     std::vector<std::pair<Point2d, Label>> ends;
     for (const SkeletonVertex& v : graph.vertices)
-        if (v.end) ends.push_back({{character.box.x + (v.x + 0.5) / character.scale - 0.5, character.box.y + (v.y + 0.5) / character.scale - 0.5}, v.label});
+        if (v.end)
+            ends.push_back({{character.box.x + (v.x + 0.5) / character.scale - 0.5,
+                             character.box.y + (v.y + 0.5) / character.scale - 0.5},
+                            v.label});
     return ends;
 }
 
-void judge_skeleton(Judged& judged, const TruePage& truth, const SkeletonGraph& graph, const PageCharacter& character) {
+void judge_skeleton(Judged& judged, const TruePage& truth, const SkeletonGraph& graph,
+                    const PageCharacter& character) {
     const Mask figure = foreground(truth.labels);
     const double area = static_cast<double>(std::count(figure.begin(), figure.end(), 1));
     const auto ends = ends_on_page(graph, character);
     for (const Label label : {Label::head, Label::limb, Label::tail, Label::wing}) {
         Mask part(figure.width(), figure.height());
-        for (std::size_t i = 0; i < part.size(); ++i) part.data()[i] = truth.labels.data()[i] == static_cast<int>(label);
+        for (std::size_t i = 0; i < part.size(); ++i)
+            part.data()[i] = truth.labels.data()[i] == static_cast<int>(label);
         const Components components = connected_components(part);
         for (const Component& piece : components.list) {
             if (piece.area < least_piece * area) continue;
@@ -55,27 +62,34 @@ void judge_skeleton(Judged& judged, const TruePage& truth, const SkeletonGraph& 
             const double reach = near_end * std::max(character.box.width, character.box.height);
             const Mask near = dilate_disc(component_mask(components, piece.id), reach);
             judged.reached += std::any_of(ends.begin(), ends.end(), [&](const auto& end) {
-                return end.second == label && near.value_or(static_cast<int>(std::rint(end.first.x)), static_cast<int>(std::rint(end.first.y)), 0);
+                return end.second == label && near.value_or(static_cast<int>(std::rint(end.first.x)),
+                                                            static_cast<int>(std::rint(end.first.y)), 0);
             });
         }
     }
 }
 
-Judged judge(const CharacterResult& result, const TruePage& truth, const fs::path& pages, const std::vector<ReferenceSkeleton>& references, const Options& options) {
+Judged judge(const CharacterResult& result, const TruePage& truth, const fs::path& pages,
+             const std::vector<ReferenceSkeleton>& references, const Options& options) {
     Judged judged;
     judged.result = result;
     if (!result.found) return judged;
     const fs::path folder = pages / result.page / result.folder;
     const Page page = read_page(pages / result.page / "page.json");
-    const auto character = std::find_if(page.characters.begin(), page.characters.end(), [&](const PageCharacter& c) { return c.folder == result.folder; });
+    const auto character = std::find_if(page.characters.begin(), page.characters.end(),
+                                        [&](const PageCharacter& c) { return c.folder == result.folder; });
     const fs::path skeleton = folder / "skeleton.json", identification = folder / "identification.json";
     if (!fs::exists(skeleton)) return judged;
     const SkeletonGraph graph = skeleton_from_json(read_text(skeleton), skeleton.string());
     judge_skeleton(judged, truth, graph, *character);
     judged.vertices = graph.vertices.size();
     judged.edges = graph.edges.size();
-    judged.raw_vertices = skeletonize(load_grey(folder / "labels.png"), options.skeletonization).raw.vertices.size();
-    if (fs::exists(identification)) judged.type = identification_from_json(read_text(identification), identification.string(), graph, references).type;
+    judged.raw_vertices =
+        skeletonize(load_grey(folder / "labels.png"), options.skeletonization).raw.vertices.size();
+    if (fs::exists(identification))
+        judged.type =
+            identification_from_json(read_text(identification), identification.string(), graph, references)
+                .type;
     return judged;
 }
 
@@ -88,7 +102,8 @@ std::vector<Judged> judge_all(const fs::path& dataset, const fs::path& out, cons
     std::vector<Judged> all;
     for (std::size_t i = 0; i < drawings.size(); ++i)
         for (const CharacterResult& result : evaluation.characters)
-            if (const TruePage truth = drawings.page(i); result.page == truth.id) all.push_back(judge(result, truth, out / "pages", references, settings.options));
+            if (const TruePage truth = drawings.page(i); result.page == truth.id)
+                all.push_back(judge(result, truth, out / "pages", references, settings.options));
     return all;
 }
 
@@ -101,15 +116,28 @@ std::string count(const std::vector<Judged>& all, const std::function<bool(const
     return std::to_string(std::count_if(all.begin(), all.end(), holds)) + " of " + std::to_string(all.size());
 }
 
-std::string summary(const std::vector<Judged>& ours, const std::vector<Judged>& thesis, const Verdicts& verdicts) {
-    const auto line = [&](const std::string& step, const std::string& means, const std::function<bool(const Judged&)>& holds, const std::string& paper) {
-        return "| " + step + " | " + means + " | " + count(ours, holds) + " | " + count(thesis, holds) + " | " + paper + " |\n";
+std::string summary(const std::vector<Judged>& ours, const std::vector<Judged>& thesis,
+                    const Verdicts& verdicts) {
+    const auto line = [&](const std::string& step, const std::string& means,
+                          const std::function<bool(const Judged&)>& holds, const std::string& paper) {
+        return "| " + step + " | " + means + " | " + count(ours, holds) + " | " + count(thesis, holds) +
+               " | " + paper + " |\n";
     };
-    std::string text = "| step | success here means | `default` | `thesis` | the thesis: 21 drawings of its tables |\n|---|---|---|---|---|\n";
-    text += line("detection", "silhouettes overlap by " + share(least_silhouette) + " (intersection over union)", [](const Judged& j) { return j.detected(); }, "21 (and all 50 of the set)");
-    text += line("segmentation", "parts overlap by " + share(least_parts) + " (mean over the parts that are there)", [](const Judged& j) { return j.segmented(); }, "21");
-    text += line("skeletonization", "every head, limb, tail and wing (of 1 % of the figure or more) has an end-effector", [](const Judged& j) { return j.skeletonized(); }, "21");
-    text += line("identification", "the right type", [](const Judged& j) { return j.identified(); }, "16 (85 % of the set)");
+    std::string text = "| step | success here means | `default` | `thesis` | the thesis: 21 drawings of its "
+                       "tables |\n|---|---|---|---|---|\n";
+    text += line(
+        "detection", "silhouettes overlap by " + share(least_silhouette) + " (intersection over union)",
+        [](const Judged& j) { return j.detected(); }, "21 (and all 50 of the set)");
+    text += line(
+        "segmentation", "parts overlap by " + share(least_parts) + " (mean over the parts that are there)",
+        [](const Judged& j) { return j.segmented(); }, "21");
+    text += line(
+        "skeletonization",
+        "every head, limb, tail and wing (of 1 % of the figure or more) has an end-effector",
+        [](const Judged& j) { return j.skeletonized(); }, "21");
+    text += line(
+        "identification", "the right type", [](const Judged& j) { return j.identified(); },
+        "16 (85 % of the set)");
     const auto seen = [&](const Judged& j) {
         const Verdict* v = verdicts.find(j.result.page, "rigging");
         return v && v->good;
@@ -131,31 +159,39 @@ std::string graph_row(const std::string& name, const std::vector<Judged>& all) {
         least = std::min(least, j.vertices);
         most = std::max(most, j.vertices);
     }
-    return "| " + name + " | " + shown(vertices / skeletons, 1) + " (" + std::to_string(least) + " to " + std::to_string(most) + ") | " + shown(edges / skeletons, 1) + " | " +
+    return "| " + name + " | " + shown(vertices / skeletons, 1) + " (" + std::to_string(least) + " to " +
+           std::to_string(most) + ") | " + shown(edges / skeletons, 1) + " | " +
            shown(removed / skeletons, 1) + " |\n";
 }
 
 std::string drawing_table(const std::vector<Judged>& all, const std::string& type, const Verdicts& verdicts) {
-    std::string text = "| ground truth | number | detection | segmentation | skeletonization | identification | rigging | remark |\n|---|---|---|---|---|---|---|---|\n";
+    std::string text = "| ground truth | number | detection | segmentation | skeletonization | "
+                       "identification | rigging | remark |\n|---|---|---|---|---|---|---|---|\n";
     for (const Judged& j : all) {
         if (j.result.type != type) continue;
         const Verdict* rigging = verdicts.find(j.result.page, "rigging");
-        text += "| " + type + ": " + j.result.species + " | " + j.result.page + " | " + mark(j.detected()) + " " + share(j.result.mask_overlap) + " | " + mark(j.segmented()) + " " +
-                share(std::max(0.0, j.result.mean_overlap())) + " | " + mark(j.skeletonized()) + " " + std::to_string(j.reached) + "/" + std::to_string(j.pieces) + " | " +
-                mark(j.identified()) + (j.identified() ? "" : " " + (j.type.empty() ? j.result.status : j.type)) + " | " + mark(rigging) + " | " + (rigging ? rigging->remark : "") + " |\n";
+        text += "| " + type + ": " + j.result.species + " | " + j.result.page + " | " + mark(j.detected()) +
+                " " + share(j.result.mask_overlap) + " | " + mark(j.segmented()) + " " +
+                share(std::max(0.0, j.result.mean_overlap())) + " | " + mark(j.skeletonized()) + " " +
+                std::to_string(j.reached) + "/" + std::to_string(j.pieces) + " | " + mark(j.identified()) +
+                (j.identified() ? "" : " " + (j.type.empty() ? j.result.status : j.type)) + " | " +
+                mark(rigging) + " | " + (rigging ? rigging->remark : "") + " |\n";
     }
     return text + "\n";
 }
 
 std::string testdata_table(const Verdicts& verdicts) {
-    std::string text = "| drawing | detection | segmentation | skeletonization | identification | rigging | remark |\n|---|---|---|---|---|---|---|\n";
+    std::string text = "| drawing | detection | segmentation | skeletonization | identification | rigging | "
+                       "remark |\n|---|---|---|---|---|---|---|\n";
     for (const std::string& drawing : verdicts.drawings()) {
         std::string remarks;
         text += "| `" + drawing + "` |";
-        for (const char* step : {"detection", "segmentation", "skeletonization", "identification", "rigging"}) {
+        for (const char* step :
+             {"detection", "segmentation", "skeletonization", "identification", "rigging"}) {
             const Verdict* verdict = verdicts.find(drawing, step);
             text += " " + mark(verdict) + " |";
-            if (verdict && !verdict->remark.empty()) remarks += (remarks.empty() ? "" : "; ") + verdict->remark;
+            if (verdict && !verdict->remark.empty())
+                remarks += (remarks.empty() ? "" : "; ") + verdict->remark;
         }
         text += " " + remarks + " |\n";
     }
@@ -165,27 +201,43 @@ std::string testdata_table(const Verdicts& verdicts) {
 } // namespace
 
 std::string success_tables(const fs::path& dataset, const fs::path& work, const Verdicts& verdicts) {
-    const std::vector<Judged> ours = judge_all(dataset, work / "default", "default"), thesis = judge_all(dataset, work / "thesis", "thesis");
-    const std::string graphs = "\nSizes of the skeleton graphs, means over the drawings:\n\n| | vertices (range) | edges | vertices removed by H1 and H2 |\n|---|---|---|---|\n" +
-                               graph_row("`default`", ours) + graph_row("`thesis`", thesis) + "| the thesis, chapter 5 | 11 (7 to 15) | 12 | 3 |\n";
-    std::string text = summary(ours, thesis, verdicts) + graphs + "\n### Humanoids\n\n" + drawing_table(ours, "humanoid", verdicts) + "### Quadrupeds\n\n" +
-                       drawing_table(ours, "quadruped", verdicts) + "### Flyers\n\n" + drawing_table(ours, "flying", verdicts);
-    return text + "### The drawings of testdata, by eye\n\nThe characters of a page are numbered as in its `page.json`.\n\n" + testdata_table(verdicts);
+    const std::vector<Judged> ours = judge_all(dataset, work / "default", "default"),
+                              thesis = judge_all(dataset, work / "thesis", "thesis");
+    const std::string graphs = "\nSizes of the skeleton graphs, means over the drawings:\n\n| | vertices "
+                               "(range) | edges | vertices removed by H1 and H2 |\n|---|---|---|---|\n" +
+                               graph_row("`default`", ours) + graph_row("`thesis`", thesis) +
+                               "| the thesis, chapter 5 | 11 (7 to 15) | 12 | 3 |\n";
+    std::string text = summary(ours, thesis, verdicts) + graphs + "\n### Humanoids\n\n" +
+                       drawing_table(ours, "humanoid", verdicts) + "### Quadrupeds\n\n" +
+                       drawing_table(ours, "quadruped", verdicts) + "### Flyers\n\n" +
+                       drawing_table(ours, "flying", verdicts);
+    return text +
+           "### The drawings of testdata, by eye\n\nThe characters of a page are numbered as in its "
+           "`page.json`.\n\n" +
+           testdata_table(verdicts);
 }
 
-std::string results_page(const fs::path& dataset, const fs::path& work, const std::string& testdata, const Verdicts& verdicts) {
+std::string results_page(const fs::path& dataset, const fs::path& work, const std::string& testdata,
+                         const Verdicts& verdicts) {
     return "# Results on our own drawings\n\n"
-           "The counterparts of the thesis's table 5.1 (times) and tables 6.1 to 6.3 (success of each step), written by `make results`. All drawings are\n"
-           "our own: those of `testdata/`, and 30 of `tools/doodle` (seed 2026, 640×480, ten of each type, a third of them with the look of a\n"
-           "photograph). They are easier than drawings by people: the same generator drew a part of the networks' training data, with other seeds.\n"
+           "The counterparts of the thesis's table 5.1 (times) and tables 6.1 to 6.3 (success of each step), "
+           "written by `make results`. All drawings are\n"
+           "our own: those of `testdata/`, and 30 of `tools/doodle` (seed 2026, 640×480, ten of each type, a "
+           "third of them with the look of a\n"
+           "photograph). They are easier than drawings by people: the same generator drew a part of the "
+           "networks' training data, with other seeds.\n"
            "What the pipeline does on drawings by people is in [accuracy.md](accuracy.md).\n\n"
            "## Times\n\n" +
            time_table(testdata) +
            "\n## Success of each step\n\n"
-           "Detection, segmentation, skeletonization and identification are computed from the generator's truth. Rigging is judged by eye, from frames of\n"
+           "Detection, segmentation, skeletonization and identification are computed from the generator's "
+           "truth. Rigging is judged by eye, from frames of\n"
            "the first clip; these verdicts, with their dates, are in [verdicts.csv](verdicts.csv) (newest: " +
            verdicts.newest() +
-           "). Numbers beside the marks: overlap of the\nsilhouettes, mean overlap of the parts, parts with an end-effector (a wing that is folded on the body has no end of its own and\ncounts as missed). The thesis judged every step by eye.\n\n" + success_tables(dataset, work, verdicts);
+           "). Numbers beside the marks: overlap of the\nsilhouettes, mean overlap of the parts, parts with "
+           "an end-effector (a wing that is folded on the body has no end of its own and\ncounts as missed). "
+           "The thesis judged every step by eye.\n\n" +
+           success_tables(dataset, work, verdicts);
 }
 
 } // namespace pantin::figures

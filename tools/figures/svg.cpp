@@ -10,12 +10,15 @@
 namespace pantin::figures {
 namespace {
 
-std::string attribute(const char* name, const std::string& value) { return std::string(" ") + name + "=\"" + value + "\""; }
+std::string attribute(const char* name, const std::string& value) {
+    return std::string(" ") + name + "=\"" + value + "\"";
+}
 std::string attribute(const char* name, double value) { return attribute(name, decimal(value, 2)); }
 
 std::string fixed(double value, int decimals) {
     std::array<char, 64> text{};
-    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
+    const auto [end, error] =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
     return {text.data(), end};
 }
 
@@ -24,7 +27,8 @@ std::string pair(Point2d p) { return decimal(p.x, 2) + " " + decimal(p.y, 2); }
 std::string path_of(const std::vector<std::vector<Point2d>>& lines, bool closed) {
     std::string d;
     for (const std::vector<Point2d>& line : lines) {
-        for (std::size_t i = 0; i < line.size(); ++i) d += (i == 0 ? "M" : i == 1 ? "L" : " ") + pair(line[i]);
+        for (std::size_t i = 0; i < line.size(); ++i)
+            d += (i == 0 ? "M" : i == 1 ? "L" : " ") + pair(line[i]);
         if (closed) d += "Z";
     }
     return d;
@@ -34,7 +38,9 @@ std::string path_of(const std::vector<std::vector<Point2d>>& lines, bool closed)
 
 Style filled(Rgb8 fill) { return {.fill = css(fill)}; }
 Style stroked(Rgb8 stroke, double width) { return {.stroke = css(stroke), .width = width}; }
-Style outlined(Rgb8 fill, Rgb8 stroke, double width) { return {.fill = css(fill), .stroke = css(stroke), .width = width}; }
+Style outlined(Rgb8 fill, Rgb8 stroke, double width) {
+    return {.fill = css(fill), .stroke = css(stroke), .width = width};
+}
 
 std::string shown(double value, int decimals, bool padded) {
     std::string digits = padded ? fixed(value, decimals) : decimal(value, decimals);
@@ -44,14 +50,18 @@ std::string shown(double value, int decimals, bool padded) {
 
 void Svg::shape(const std::string& element, const Style& style) {
     body_ += "<" + element + attribute("fill", style.fill);
-    if (style.stroke != "none") body_ += attribute("stroke", style.stroke) + attribute("stroke-width", style.width);
+    if (style.stroke != "none")
+        body_ += attribute("stroke", style.stroke) + attribute("stroke-width", style.width);
     if (!style.dash.empty()) body_ += attribute("stroke-dasharray", style.dash);
-    if (!style.cap.empty()) body_ += attribute("stroke-linecap", style.cap) + attribute("stroke-linejoin", style.cap);
+    if (!style.cap.empty())
+        body_ += attribute("stroke-linecap", style.cap) + attribute("stroke-linejoin", style.cap);
     body_ += "/>\n";
 }
 
 void Svg::rectangle(Rectangle r, const Style& style) {
-    shape("rect" + attribute("x", r.x) + attribute("y", r.y) + attribute("width", r.width) + attribute("height", r.height), style);
+    shape("rect" + attribute("x", r.x) + attribute("y", r.y) + attribute("width", r.width) +
+              attribute("height", r.height),
+          style);
 }
 void Svg::circle(Point2d centre, double radius, const Style& style) {
     shape("circle" + attribute("cx", centre.x) + attribute("cy", centre.y) + attribute("r", radius), style);
@@ -70,20 +80,22 @@ void Svg::lines(const std::vector<std::vector<Point2d>>& lines, const Style& sty
     shape("path" + attribute("d", path_of(lines, false)), style);
 }
 void Svg::polygons(const std::vector<std::vector<Point2d>>& polygons, const Style& style) {
-    shape("path" + attribute("fill-rule", std::string("evenodd")) + attribute("d", path_of(polygons, true)), style);
+    shape("path" + attribute("fill-rule", std::string("evenodd")) + attribute("d", path_of(polygons, true)),
+          style);
 }
 
 void Svg::text(Point2d at, const std::string& text, const TextStyle& style) {
     constexpr const char* anchors[] = {"start", "middle", "end"};
     body_ += "<text" + attribute("x", at.x) + attribute("y", at.y) + attribute("font-size", style.size);
-    if (style.anchor != Anchor::start) body_ += attribute("text-anchor", std::string(anchors[static_cast<int>(style.anchor)]));
+    if (style.anchor != Anchor::start)
+        body_ += attribute("text-anchor", std::string(anchors[static_cast<int>(style.anchor)]));
     if (style.bold) body_ += attribute("font-weight", std::string("bold"));
     body_ += attribute("fill", css(style.fill)) + ">" + escaped(text) + "</text>\n";
 }
 
 void Svg::image(Rectangle r, const std::vector<unsigned char>& png, bool sharp) {
-    body_ += "<image" + attribute("x", r.x) + attribute("y", r.y) + attribute("width", r.width) + attribute("height", r.height) +
-             attribute("preserveAspectRatio", std::string("none"));
+    body_ += "<image" + attribute("x", r.x) + attribute("y", r.y) + attribute("width", r.width) +
+             attribute("height", r.height) + attribute("preserveAspectRatio", std::string("none"));
     if (sharp) body_ += attribute("style", std::string("image-rendering:pixelated"));
     body_ += " xlink:href=\"" + data_uri("image/png", png) + "\"/>\n";
 }
@@ -98,9 +110,11 @@ void Svg::end_clip() { body_ += "</g>\n"; }
 
 std::string Svg::document(const std::string& title) const {
     const std::string w = decimal(width_, 2), h = decimal(height_, 2);
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"" + w + "\" height=\"" + h +
-           "\" viewBox=\"0 0 " + w + " " + h + "\" role=\"img\" font-family=\"Helvetica, Arial, sans-serif\">\n<title>" +
-           escaped(title) + "</title>\n<rect width=\"" + w + "\" height=\"" + h + "\" fill=\"#ffffff\"/>\n" + body_ + "</svg>\n";
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"" +
+           w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h +
+           "\" role=\"img\" font-family=\"Helvetica, Arial, sans-serif\">\n<title>" + escaped(title) +
+           "</title>\n<rect width=\"" + w + "\" height=\"" + h + "\" fill=\"#ffffff\"/>\n" + body_ +
+           "</svg>\n";
 }
 
 } // namespace pantin::figures

@@ -1,5 +1,5 @@
-// A small SVG writer: shapes in the figure's own units (CSS pixels, y down), on a white background so that a figure reads the
-// same in dark mode. Numbers have two decimals at most.
+// A small SVG writer: shapes in the figure's own units (CSS pixels, y down), on a white background so that a
+// figure reads the same in dark mode. Numbers have two decimals at most.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct Rectangle {
 
 struct Style {
     std::string fill = "none", stroke = "none";
-    double width = 1;     // of the stroke
+    double width = 1;      // of the stroke
     std::string dash = ""; // "4 3"
     std::string cap = "";  // "round"
 };

@@ -20,7 +20,8 @@ constexpr const char* processor = "aarch64";
 #else
 constexpr const char* processor = "another processor";
 #endif
-constexpr const char* files[] = {"humanoid.png", "quadruped.png", "flying.png", "photo.jpg", "dog.png", "person.png"};
+constexpr const char* files[] = {"humanoid.png", "quadruped.png", "flying.png",
+                                 "photo.jpg",    "dog.png",       "person.png"};
 
 // Milliseconds of detection, segmentation, skeletonization, identification, rigging.
 using Times = std::array<double, 5>;
@@ -35,12 +36,15 @@ Times times_of(Gallery& gallery, const std::string& file) {
     times[0] = bench::median_time([&] { detection = detect(page, {}, &finder); }, rounds);
     const DetectedCharacter& character = detection.characters.front();
     Segmentation segmentation;
-    times[1] = bench::median_time([&] { segmentation = segmenter.segment(character.drawing, character.mask); }, rounds);
+    times[1] = bench::median_time(
+        [&] { segmentation = segmenter.segment(character.drawing, character.mask); }, rounds);
     Skeletonization skeleton;
     times[2] = bench::median_time([&] { skeleton = skeletonize(segmentation.labels); }, rounds);
     Identification identification;
-    times[3] = bench::median_time([&] { identification = identify(skeleton.graph, segmentation.labels, references); }, rounds);
-    times[4] = bench::median_time([&] { rig(skeleton.graph, segmentation.labels, identification, references); }, rounds);
+    times[3] = bench::median_time(
+        [&] { identification = identify(skeleton.graph, segmentation.labels, references); }, rounds);
+    times[4] = bench::median_time(
+        [&] { rig(skeleton.graph, segmentation.labels, identification, references); }, rounds);
     return times;
 }
 
@@ -58,16 +62,22 @@ std::string row(const std::string& name, const Times& times) {
 
 std::string time_table(const std::string& testdata) {
     Gallery gallery(testdata);
-    std::string text = "Milliseconds, medians of " + std::to_string(rounds) + " runs, one thread (" + std::to_string(std::thread::hardware_concurrency()) +
-                       " vCPU " + processor + ", network kernel " + std::string(network::name_of(network::best_simd())) +
-                       ").\nThe segmenter looks once at a drawing of which it is sure, else six times. The thesis: Python and PyTorch on an Apple M2\n"
+    std::string text = "Milliseconds, medians of " + std::to_string(rounds) + " runs, one thread (" +
+                       std::to_string(std::thread::hardware_concurrency()) + " vCPU " + processor +
+                       ", network kernel " + std::string(network::name_of(network::best_simd())) +
+                       ").\nThe segmenter looks once at a drawing of which it is sure, else six times. The "
+                       "thesis: Python and PyTorch on an Apple M2\n"
                        "with eight cores, 640×480 pages, means over its 50 drawings.\n\n"
-                       "| drawing | detection | segmentation | skeletonization | identification | rigging | sum |\n|---|---|---|---|---|---|---|\n";
+                       "| drawing | detection | segmentation | skeletonization | identification | rigging | "
+                       "sum |\n|---|---|---|---|---|---|---|\n";
     Times mean{};
     for (const char* file : files) {
         const Times times = times_of(gallery, file);
-        for (std::size_t step = 0; step < times.size(); ++step) mean[step] += times[step] / static_cast<double>(std::size(files));
-        text += row("`" + std::string(file) + "`, " + std::to_string(gallery.page(file).width()) + "×" + std::to_string(gallery.page(file).height()), times);
+        for (std::size_t step = 0; step < times.size(); ++step)
+            mean[step] += times[step] / static_cast<double>(std::size(files));
+        text += row("`" + std::string(file) + "`, " + std::to_string(gallery.page(file).width()) + "×" +
+                        std::to_string(gallery.page(file).height()),
+                    times);
     }
     return text + row("**mean**", mean) + row("thesis, table 5.1", {1532, 1020, 420, 911, 1510});
 }

@@ -22,10 +22,14 @@ Verdicts::Verdicts(const std::string& file) {
         std::getline(cells, verdict, ',');
         std::getline(cells, v.remark); // may have commas
         if (drawing.empty() || step.empty() || (verdict != "good" && verdict != "bad"))
-            throw Error(ErrorKind::input, file + ": line " + std::to_string(number) + " is not date,drawing,step,verdict,remark with the verdict good or bad");
+            throw Error(ErrorKind::input,
+                        file + ": line " + std::to_string(number) +
+                            " is not date,drawing,step,verdict,remark with the verdict good or bad");
         v.good = verdict == "good";
         verdicts_[{drawing, step}] = v;
-        if (drawing.find('#') != std::string::npos && std::find(drawings_.begin(), drawings_.end(), drawing) == drawings_.end()) drawings_.push_back(drawing);
+        if (drawing.find('#') != std::string::npos &&
+            std::find(drawings_.begin(), drawings_.end(), drawing) == drawings_.end())
+            drawings_.push_back(drawing);
     }
 }
 

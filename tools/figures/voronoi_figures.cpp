@@ -29,7 +29,8 @@ void draw_points(Sheet& sheet) {
     for (const Point2i far : {Point2i{-reach, 0}, {0, -reach}, {reach, 0}, {0, reach}}) points.push_back(far);
     Panel panel(sheet.svg(), sheet[0], {0, 0, side, side});
     Segments edges;
-    for (const VoronoiEdge& edge : voronoi_edges(points, delaunay(points))) edges.emplace_back(edge.from, edge.to);
+    for (const VoronoiEdge& edge : voronoi_edges(points, delaunay(points)))
+        edges.emplace_back(edge.from, edge.to);
     sheet.svg().begin_clip(panel.frame());
     panel.segments(edges, stroked(ink, 1.4));
     sheet.svg().end_clip();
@@ -69,14 +70,17 @@ Figure diagram_figure(Gallery& gallery) {
     Sheet sheet(2, 1, 420, 420);
     draw_points(sheet);
     draw_contour(sheet, gallery.run("person.png").skeleton);
-    return {"fig-3.13-voronoi-diagram.svg", sheet.svg().document("Voronoi diagrams of points and of a contour")};
+    return {"fig-3.13-voronoi-diagram.svg",
+            sheet.svg().document("Voronoi diagrams of points and of a contour")};
 }
 
-// --- the residual ----------------------------------------------------------------------------------------------
+// --- the residual
+// ----------------------------------------------------------------------------------------------
 
 // The shorter way along the border from one site to the other.
 std::vector<Point2i> arc_between(const std::vector<Point2i>& border, Point2i a, Point2i b) {
-    const auto ia = std::find(border.begin(), border.end(), a) - border.begin(), ib = std::find(border.begin(), border.end(), b) - border.begin();
+    const auto ia = std::find(border.begin(), border.end(), a) - border.begin(),
+               ib = std::find(border.begin(), border.end(), b) - border.begin();
     const auto n = std::ssize(border);
     std::vector<Point2i> forth, back;
     for (auto i = ia;; i = (i + 1) % n) {
@@ -103,12 +107,16 @@ std::size_t edge_near(const Skeletonization& s, Point2d place, double residual) 
 
 // The first end-effector that is a limb's.
 Point2d limb_end(const SkeletonGraph& graph) {
-    const auto end = std::find_if(graph.vertices.begin(), graph.vertices.end(), [](const SkeletonVertex& v) { return v.end && v.label == Label::limb; });
+    const auto end = std::find_if(graph.vertices.begin(), graph.vertices.end(),
+                                  [](const SkeletonVertex& v) { return v.end && v.label == Label::limb; });
     return {end->x, end->y};
 }
 
 void draw_sites(Panel& panel, const Skeletonization& s, const Box& window) {
-    const auto seen = [&](Point2d p) { return p.x > window.x - 1 && p.y > window.y - 1 && p.x < window.x + window.width && p.y < window.y + window.height; };
+    const auto seen = [&](Point2d p) {
+        return p.x > window.x - 1 && p.y > window.y - 1 && p.x < window.x + window.width &&
+               p.y < window.y + window.height;
+    };
     std::vector<Point2i> border;
     for (const Point2i p : s.contour.front().points)
         if (seen(to_double(p))) border.push_back(p);
@@ -127,7 +135,8 @@ void draw_residual(Panel& panel, const Skeletonization& s, std::size_t e) {
     const std::vector<Point2i> arc = arc_between(s.contour.front().points, a, b);
     panel.pixels(arc, pale(accent));
     svg.polyline(panel.at(arc), stroked(accent, 2.2));
-    svg.line(panel.at(to_double(a)), panel.at(to_double(b)), {.stroke = css(second), .width = 1.8, .dash = "5 4"});
+    svg.line(panel.at(to_double(a)), panel.at(to_double(b)),
+             {.stroke = css(second), .width = 1.8, .dash = "5 4"});
     const Point2d m = 0.5 * (edge.from + edge.to);
     for (const Point2i site : {a, b}) svg.line(panel.at(m), panel.at(to_double(site)), stroked(third, 1.4));
     for (const Point2i site : {a, b}) svg.circle(panel.at(to_double(site)), 4.5, filled(accent));
@@ -139,18 +148,26 @@ void draw_residual(Panel& panel, const Skeletonization& s, std::size_t e) {
     label(to_double(a), to_double(a) - m, "pA", accent);
     label(to_double(b), to_double(b) - m, "pB", accent);
     label(m, m - 0.5 * (to_double(a) + to_double(b)), "m", third);
-    const double arc_length = border_arc(sites, edge.site_a, edge.site_b), chord = distance(to_double(a), to_double(b));
+    const double arc_length = border_arc(sites, edge.site_a, edge.site_b),
+                 chord = distance(to_double(a), to_double(b));
     const Rectangle f = panel.frame();
     const auto line = [&](int row, const std::string& text, Rgb8 colour) {
-        svg.text({f.x + f.width + 24, f.y + 40 + 26 * row}, text, {.size = 14, .anchor = Anchor::start, .fill = colour});
+        svg.text({f.x + f.width + 24, f.y + 40 + 26 * row}, text,
+                 {.size = 14, .anchor = Anchor::start, .fill = colour});
     };
     line(0, "border from pA to pB: " + shown(arc_length, 1) + " px", accent);
     line(1, "chord pA pB: " + shown(chord, 1) + " px", second);
     line(3, "residual of the thesis (arc): " + shown(arc_length, 1), ink);
-    line(4, "chord residual (default): " + shown(arc_length, 1) + " − " + shown(chord, 1) + " = " + shown(s.residuals[e], 1), ink);
+    line(4,
+         "chord residual (default): " + shown(arc_length, 1) + " − " + shown(chord, 1) + " = " +
+             shown(s.residuals[e], 1),
+         ink);
     line(6, "Edges whose residual is below the", muted);
     line(7, "threshold are pruned: 30 at 321 px,", muted);
-    line(8, shown(30.0 * std::max(s.mask.width(), s.mask.height()) / 321, 1) + " for this drawing of " + std::to_string(std::max(s.mask.width(), s.mask.height())) + " px.", muted);
+    line(8,
+         shown(30.0 * std::max(s.mask.width(), s.mask.height()) / 321, 1) + " for this drawing of " +
+             std::to_string(std::max(s.mask.width(), s.mask.height())) + " px.",
+         muted);
 }
 
 Figure residual_figure(Gallery& gallery) {
@@ -159,17 +176,21 @@ Figure residual_figure(Gallery& gallery) {
     const Point2d m = 0.5 * (s.voronoi[e].from + s.voronoi[e].to);
     const Box window{static_cast<int>(m.x) - 26, static_cast<int>(m.y) - 26, 52, 52};
     Svg svg(820, 500);
-    Panel panel(svg, {margin, margin, 470, 470}, {window.x - 0.5, window.y - 0.5, window.width + 0.0, window.height + 0.0});
+    Panel panel(svg, {margin, margin, 470, 470},
+                {window.x - 0.5, window.y - 0.5, window.width + 0.0, window.height + 0.0});
     svg.begin_clip(panel.frame());
     draw_sites(panel, s, window);
     svg.end_clip();
     panel.border();
     draw_residual(panel, s, e);
-    return {"fig-3.14-residual.svg", svg.document("The residual of a Voronoi edge: border and chord between its two sites")};
+    return {"fig-3.14-residual.svg",
+            svg.document("The residual of a Voronoi edge: border and chord between its two sites")};
 }
 
 } // namespace
 
-std::vector<Figure> voronoi_figures(Gallery& gallery) { return {diagram_figure(gallery), residual_figure(gallery)}; }
+std::vector<Figure> voronoi_figures(Gallery& gallery) {
+    return {diagram_figure(gallery), residual_figure(gallery)};
+}
 
 } // namespace pantin::figures

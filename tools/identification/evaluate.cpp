@@ -1,7 +1,8 @@
-// evaluate_identification [--references DIR] FOLDER...: steps 3 and 4 on the label maps FOLDER/label/<id>.png listed in
-// FOLDER/index.csv (columns id, class, type; quality when there is one), and the end-effector mapping of what
-// was found. Prints one line of tab-separated values per drawing, with a header line: what each form of the
-// score decides, the divided distances, the traits, the evidence; fit_evidence.py fits and judges from it.
+// evaluate_identification [--references DIR] FOLDER...: steps 3 and 4 on the label maps FOLDER/label/<id>.png
+// listed in FOLDER/index.csv (columns id, class, type; quality when there is one), and the end-effector
+// mapping of what was found. Prints one line of tab-separated values per drawing, with a header line: what
+// each form of the score decides, the divided distances, the traits, the evidence; fit_evidence.py fits and
+// judges from it.
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -89,8 +90,8 @@ void evaluate(const LabelMap& labels, const std::vector<ReferenceSkeleton>& refe
     const Identification found = identify(skeleton.graph, labels, references);
     const Identification thesis = identify(skeletonize(labels, arc).graph, labels, references, literal);
     const Identification ratio = identify(skeleton.graph, labels, references, plain);
-    std::printf("\t%s\t%s\t%s\t%s\t%.4f", thesis.reference.c_str(), ratio.reference.c_str(), found.type.c_str(),
-                found.reference.c_str(), found.confidence);
+    std::printf("\t%s\t%s\t%s\t%s\t%.4f", thesis.reference.c_str(), ratio.reference.c_str(),
+                found.type.c_str(), found.reference.c_str(), found.confidence);
     for (const char* type : {"humanoid", "quadruped", "flying"}) std::printf("\t%.6f", divided(ratio, type));
     for (const double t : measure_traits(skeleton.graph, labels)) std::printf("\t%.6f", t);
     const ReferenceSkeleton& best = find(references, found.reference);
@@ -99,8 +100,7 @@ void evaluate(const LabelMap& labels, const std::vector<ReferenceSkeleton>& refe
         options.label_aware = aware;
         options.length_in_pixels = !aware;
         print_mapping(skeleton.graph,
-                      map_end_effectors(skeleton.graph, labels, best, found.candidates[0], options),
-                      best);
+                      map_end_effectors(skeleton.graph, labels, best, found.candidates[0], options), best);
     }
 }
 

@@ -1,11 +1,14 @@
-// How far clips stretch and crush the mesh, and how far feet slide: for each character folder and clip, over all key poses, the largest stretch of an
-// edge (length / length at rest), the 99th percentile of the edges' largest stretches, and the smallest area of a triangle
-// over its area at rest, all in 3D (a limb that turns towards the viewer is not crushed). Edges and triangles smaller than
-// a hundredth of the mean are left out: their ratios mean nothing to the eye. A foot is the lowest vertex of the outer half
-// of a leg's last bone, where the clip says that it steps or is planted; it is on the ground while it is less than a hundredth of the character's height above its
-// place at rest. Its slide is the largest way over the ground within one such time, as a share of the character's height.
+// How far clips stretch and crush the mesh, and how far feet slide: for each character folder and clip, over
+// all key poses, the largest stretch of an edge (length / length at rest), the 99th percentile of the edges'
+// largest stretches, and the smallest area of a triangle over its area at rest, all in 3D (a limb that turns
+// towards the viewer is not crushed). Edges and triangles smaller than a hundredth of the mean are left out:
+// their ratios mean nothing to the eye. A foot is the lowest vertex of the outer half of a leg's last bone,
+// where the clip says that it steps or is planted; it is on the ground while it is less than a hundredth of
+// the character's height above its place at rest. Its slide is the largest way over the ground within one
+// such time, as a share of the character's height.
 //
-// usage: motion_quality PRESET CHARACTER_DIR... > table.tsv   (the preset that made the folders: default or thesis)
+// usage: motion_quality PRESET CHARACTER_DIR... > table.tsv   (the preset that made the folders: default or
+// thesis)
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,8 +17,8 @@
 #include "animation/footing.hpp"
 #include "animation/vector.hpp"
 #include "identification/tracks.hpp"
-#include "pipeline/clips.hpp"
 #include "pipeline/character.hpp"
+#include "pipeline/clips.hpp"
 
 using namespace pantin;
 
@@ -45,7 +48,8 @@ Shape shape_of(const Rig& rig, const std::vector<Vec3>& rest) {
     for (const std::vector<int>& face : rig.mesh.faces)
         for (std::size_t i = 0; i < face.size(); ++i) {
             const auto edge = std::minmax(face[i], face[(i + 1) % face.size()]);
-            if (!std::exchange(seen[{edge.first, edge.second}], true)) shape.edges.emplace_back(edge.first, edge.second);
+            if (!std::exchange(seen[{edge.first, edge.second}], true))
+                shape.edges.emplace_back(edge.first, edge.second);
             if (i > 0 && i + 1 < face.size()) shape.triangles.push_back({face[0], face[i], face[i + 1]});
         }
     double edge_sum = 0, area_sum = 0;
@@ -54,7 +58,8 @@ Shape shape_of(const Rig& rig, const std::vector<Vec3>& rest) {
     const double least_edge = negligible * edge_sum / static_cast<double>(shape.edges.size());
     const double least_area = negligible * area_sum / static_cast<double>(shape.triangles.size());
     std::erase_if(shape.edges, [&](auto& e) { return norm(rest[e.first] - rest[e.second]) < least_edge; });
-    std::erase_if(shape.triangles, [&](auto& t) { return area(rest[t.a], rest[t.b], rest[t.c]) < least_area; });
+    std::erase_if(shape.triangles,
+                  [&](auto& t) { return area(rest[t.a], rest[t.b], rest[t.c]) < least_area; });
     for (const auto& [a, b] : shape.edges) shape.lengths.push_back(norm(rest[a] - rest[b]));
     for (const auto& [a, b, c] : shape.triangles) shape.areas.push_back(area(rest[a], rest[b], rest[c]));
     return shape;
@@ -81,7 +86,8 @@ double height_of(const std::vector<Vec3>& points) {
     return high - low;
 }
 
-double slide_of(const Rig& rig, const BoneAnimation& animation, const std::vector<int>& feet, const std::vector<Vec3>& rest) {
+double slide_of(const Rig& rig, const BoneAnimation& animation, const std::vector<int>& feet,
+                const std::vector<Vec3>& rest) {
     const double height = height_of(rest);
     double slide = 0;
     std::vector<double> least(feet.size()), most(feet.size());
@@ -100,13 +106,15 @@ double slide_of(const Rig& rig, const BoneAnimation& animation, const std::vecto
     return slide;
 }
 
-void measure(const std::string& folder, const ReferenceSkeleton& reference, const Rig& rig, const BoneAnimation& animation) {
+void measure(const std::string& folder, const ReferenceSkeleton& reference, const Rig& rig,
+             const BoneAnimation& animation) {
     std::vector<Vec3> rest;
     for (std::size_t v = 0; v < rig.mesh.vertices.size(); ++v)
         rest.push_back(to_world(rig.mesh.vertices[v], rig.width, rig.height, rig.depth[v]));
     const auto clip = std::find_if(reference.clips.begin(), reference.clips.end(),
                                    [&](const ReferenceClip& c) { return c.name == animation.name; });
-    const double slide = clip == reference.clips.end() ? 0 : slide_of(rig, animation, feet_of(rig, *clip), rest);
+    const double slide =
+        clip == reference.clips.end() ? 0 : slide_of(rig, animation, feet_of(rig, *clip), rest);
     const Shape shape = shape_of(rig, rest);
     std::vector<double> stretch(shape.edges.size());
     double crushed = 1;
@@ -122,8 +130,8 @@ void measure(const std::string& folder, const ReferenceSkeleton& reference, cons
         }
     }
     std::sort(stretch.begin(), stretch.end());
-    std::printf("%s\t%s\t%s\t%.3f\t%.3f\t%.3f\t%.4f\n", folder.c_str(), reference.name.c_str(), animation.name.c_str(), stretch.back(),
-                stretch[stretch.size() * 99 / 100], crushed, slide);
+    std::printf("%s\t%s\t%s\t%.3f\t%.3f\t%.3f\t%.4f\n", folder.c_str(), reference.name.c_str(),
+                animation.name.c_str(), stretch.back(), stretch[stretch.size() * 99 / 100], crushed, slide);
 }
 
 } // namespace

@@ -72,9 +72,10 @@ std::vector<Found> find_boxes(const BoxHead::Result& seen, const std::vector<Reg
         for (int label = 1; label < probabilities.channels(); ++label) {
             const float score = probabilities(r, label, 0, 0);
             if (!(score > options.score)) continue;
-            const Region box = clipped(displaced(proposals[static_cast<std::size_t>(r)],
-                                                 seen.displacements.plane(r, 4 * label), displacement_weights),
-                                       image.clip_width, image.clip_height);
+            const Region box =
+                clipped(displaced(proposals[static_cast<std::size_t>(r)],
+                                  seen.displacements.plane(r, 4 * label), displacement_weights),
+                        image.clip_width, image.clip_height);
             if (box.right - box.left < options.least_side || box.bottom - box.top < options.least_side)
                 continue;
             boxes.push_back(box);

@@ -83,8 +83,8 @@ network::ResidualBlock read_block(const LayerReader& reader, const std::string& 
     int width = in;
     for (int i = 1; i <= convs; ++i) {
         const std::string number = std::to_string(i), conv = name + ".conv" + number;
-        const ConvolutionOptions options = same_size(reader.extent(conv + ".weight", 4, 2), i < convs,
-                                                     i == strided ? stride : 1);
+        const ConvolutionOptions options =
+            same_size(reader.extent(conv + ".weight", 4, 2), i < convs, i == strided ? stride : 1);
         block.branch.push_back(reader.convolution(conv, name + ".bn" + number, width, options));
         width = block.branch.back().out_channels();
     }
@@ -92,7 +92,8 @@ network::ResidualBlock read_block(const LayerReader& reader, const std::string& 
     if (reader.file.contains(downsample + ".0.weight"))
         block.downsample =
             reader.convolution(downsample + ".0", downsample + ".1", in, same_size(1, false, stride));
-    if ((block.downsample ? block.downsample->out_channels() : in) != width || (!block.downsample && stride > 1))
+    if ((block.downsample ? block.downsample->out_channels() : in) != width ||
+        (!block.downsample && stride > 1))
         reader.file.fail("the shortcut of '" + name + "' does not fit its branch");
     return block;
 }
@@ -143,7 +144,8 @@ ProposalHead read_proposal_head(const LayerReader& reader, int width, std::size_
 
 BoxHead read_box_head(const LayerReader& reader, int width, int pool) {
     const std::string head = "roi_heads.box_head.", predictor = "roi_heads.box_predictor.";
-    const int hidden = reader.extent(head + "fc6.weight", 2, 0), last = reader.extent(head + "fc7.weight", 2, 0);
+    const int hidden = reader.extent(head + "fc6.weight", 2, 0),
+              last = reader.extent(head + "fc7.weight", 2, 0);
     const int classes = reader.extent(predictor + "cls_score.weight", 2, 0);
     if (classes < 2 || reader.extent(predictor + "bbox_pred.weight", 2, 0) != 4 * classes)
         reader.file.fail("the box predictor needs two classes or more and four displacements for each");

@@ -74,9 +74,9 @@ struct ProposalHead {
 // --- heads on regions ------------------------------------------------------------------------------------
 
 struct DetectionOptions {
-    float score = 0.05f;   // least score
-    float overlap = 0.5f;  // of two boxes of one class that both stay
-    int most = 100;        // per image
+    float score = 0.05f;  // least score
+    float overlap = 0.5f; // of two boxes of one class that both stay
+    int most = 100;       // per image
     float least_side = 1e-2f;
     int box_pool = 7, mask_pool = 14, sampling = 2;
     float canonical_size = 224; // a region of this size is read from level 4

@@ -51,7 +51,8 @@ constexpr std::size_t portion = 64;
 template <class Use> void in_portions(const std::vector<Region>& regions, Use use) {
     for (std::size_t first = 0; first < regions.size(); first += portion) {
         const auto begin = regions.begin() + static_cast<std::ptrdiff_t>(first);
-        use(std::vector<Region>(begin, begin + static_cast<std::ptrdiff_t>(std::min(portion, regions.size() - first))));
+        use(std::vector<Region>(
+            begin, begin + static_cast<std::ptrdiff_t>(std::min(portion, regions.size() - first))));
     }
 }
 
@@ -81,8 +82,8 @@ std::vector<Detection> Network::forward(const Tensor& image, const Runtime& runt
     const DetectionOptions& heads = options.detection;
     std::vector<Tensor> scores, displacements;
     in_portions(regions, [&](const std::vector<Region>& some) {
-        BoxHead::Result result = box_head.forward(
-            pool_regions(levels, some, heads.box_pool, input.size, heads, runtime), runtime);
+        BoxHead::Result result =
+            box_head.forward(pool_regions(levels, some, heads.box_pool, input.size, heads, runtime), runtime);
         scores.push_back(std::move(result.scores));
         displacements.push_back(std::move(result.displacements));
     });
@@ -127,7 +128,8 @@ Grid<float> paste_mask(const Detection& detection, int page_width, int page_heig
                 half_height = (box.bottom - box.top) * 0.5f * grow_y;
     const float centre_x = (box.right + box.left) * 0.5f, centre_y = (box.bottom + box.top) * 0.5f;
     const int left = static_cast<int>(centre_x - half_width), right = static_cast<int>(centre_x + half_width);
-    const int top = static_cast<int>(centre_y - half_height), bottom = static_cast<int>(centre_y + half_height);
+    const int top = static_cast<int>(centre_y - half_height),
+              bottom = static_cast<int>(centre_y + half_height);
     const Tensor resized = network::resize_bilinear(bordered, std::max(1, bottom - top + 1),
                                                     std::max(1, right - left + 1), Runtime(1));
     Grid<float> page(page_width, page_height, 0.0f);

@@ -1,8 +1,9 @@
-// The union of solids by CGAL's polygon mesh processing (Loriot, Rouxel-Labbé, Tournois, Yaz: corefine_and_compute_union), to
-// compare unite() with.
+// The union of solids by CGAL's polygon mesh processing (Loriot, Rouxel-Labbé, Tournois, Yaz:
+// corefine_and_compute_union), to compare unite() with.
 //
-// The only file that touches CGAL, whose polygon mesh processing is GPL-3+. Points are made exactly (numbers that remember how they were
-// made), so each union's result is a valid input of the next; only what comes out at the end is rounded.
+// The only file that touches CGAL, whose polygon mesh processing is GPL-3+. Points are made exactly (numbers
+// that remember how they were made), so each union's result is a valid input of the next; only what comes out
+// at the end is rounded.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Surface_mesh.h>
@@ -40,7 +41,8 @@ SolidMesh rounded(ExactMesh& mesh) {
     for (const auto f : mesh.faces()) {
         std::array<int, 3> corners{};
         int k = 0;
-        for (const auto v : mesh.vertices_around_face(mesh.halfedge(f))) corners[k++] = static_cast<int>(v.idx());
+        for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+            corners[k++] = static_cast<int>(v.idx());
         result.triangles.push_back(corners);
     }
     return result;
@@ -56,7 +58,9 @@ SolidMesh unite_exactly(const std::vector<InflatedPart>& parts) {
         for (const InflatedPart& part : parts) {
             ExactMesh next = to_exact(part_surface(*part.inflation, part.height, part.frame)), result;
             if (!CGAL::Polygon_mesh_processing::corefine_and_compute_union(all, next, result))
-                throw Error(ErrorKind::input, "exact union: parts touch along a line or in a point, their union is no manifold");
+                throw Error(
+                    ErrorKind::input,
+                    "exact union: parts touch along a line or in a point, their union is no manifold");
             all = result;
         }
         return rounded(all);

@@ -1,5 +1,6 @@
-// From the authors' state dictionary to the modules: Scale<n>.conv1, bn1, layer1 … layer4, layer4_5_r<expert>,
-// layer5_r<expert>.conv2d_list.<i>, pose_r<expert>.PoseC1.<0|2|4>, pose_r<expert>.PoseC2.0; our addition: router.
+// From the authors' state dictionary to the modules: Scale<n>.conv1, bn1, layer1 … layer4,
+// layer4_5_r<expert>, layer5_r<expert>.conv2d_list.<i>, pose_r<expert>.PoseC1.<0|2|4>,
+// pose_r<expert>.PoseC2.0; our addition: router.
 #include "network/layer_reader.hpp"
 #include "segmentation/sketch_parse/model.hpp"
 
@@ -32,8 +33,8 @@ ResidualBlock read_bottleneck(const LayerReader& reader, const std::string& name
     const int width = block.branch[0].out_channels();
     block.branch.push_back(
         reader.convolution(name + ".conv2", name + ".bn2", width, options_of(dilation, dilation, 1, true)));
-    block.branch.push_back(reader.convolution(name + ".conv3", name + ".bn3",
-                                              block.branch[1].out_channels(), options_of(0, 1, 1, false)));
+    block.branch.push_back(reader.convolution(name + ".conv3", name + ".bn3", block.branch[1].out_channels(),
+                                              options_of(0, 1, 1, false)));
     const std::string downsample = name + ".downsample";
     if (reader.file.contains(downsample + ".0.weight"))
         block.downsample =
@@ -68,7 +69,8 @@ Scale read_scale(const LayerReader& reader, const std::string& name) {
                 reader.convolution(name + "layer5" + number + ".conv2d_list." + std::to_string(i), "",
                                    expert.bottleneck.out_channels(), options_of(d, d, 1, false)));
             if (expert.classifiers[i].out_channels() != expert.classifiers[0].out_channels())
-                reader.file.fail("the classifiers of '" + name + "layer5" + number + "' have different widths");
+                reader.file.fail("the classifiers of '" + name + "layer5" + number +
+                                 "' have different widths");
         }
         scale.experts.push_back(std::move(expert));
     }

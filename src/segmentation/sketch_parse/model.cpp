@@ -33,7 +33,7 @@ Tensor Expert::forward(const Tensor& shared, const Runtime& runtime) const {
 }
 
 Tensor PoseHead::forward(const Tensor& scores, const Runtime& runtime) const {
-    Tensor x = convs[0].forward(scores, runtime);                                          // [128, 20, 20]
+    Tensor x = convs[0].forward(scores, runtime);                                    // [128, 20, 20]
     for (std::size_t i = 1; i < convs.size(); ++i) x = convs[i].forward(x, runtime); // [64, 9, 9], [32, 1, 1]
     return linear.forward(x, runtime);
 }
@@ -45,22 +45,22 @@ Result Network::forward(const Tensor& image, const Runtime& runtime, int expert)
         result.router =
             network::softmax(router->forward(network::global_average_pool(shared), runtime), runtime);
     else if (expert < 0)
-        throw Error(ErrorKind::weights, "sketch-parse: the weights have no router, so the expert must be named");
+        throw Error(ErrorKind::weights,
+                    "sketch-parse: the weights have no router, so the expert must be named");
     result.expert = expert;
     if (expert < 0)
-        result.expert =
-            static_cast<int>(std::max_element(result.router.begin(), result.router.end()) - result.router.begin());
+        result.expert = static_cast<int>(std::max_element(result.router.begin(), result.router.end()) -
+                                         result.router.begin());
 
     const auto chosen = static_cast<std::size_t>(result.expert);
     for (std::size_t s = 0; s < scales.size(); ++s) {
         if (s > 0)
-            shared = scales[s].trunk.forward(
-                network::resize_corners(image, scaled_size(image.height(), shares[s]),
-                                        scaled_size(image.width(), shares[s])),
-                runtime);
+            shared =
+                scales[s].trunk.forward(network::resize_corners(image, scaled_size(image.height(), shares[s]),
+                                                                scaled_size(image.width(), shares[s])),
+                                        runtime);
         Tensor scores = scales[s].experts[chosen].forward(shared, runtime);
-        if (s > 0)
-            scores = network::resize_corners(scores, result.scores.height(), result.scores.width());
+        if (s > 0) scores = network::resize_corners(scores, result.scores.height(), result.scores.width());
         result.scales.push_back(scores);
         if (s == 0)
             result.scores = scores;

@@ -1,7 +1,7 @@
-// SketchParse (Sarvadevabhatla et al. 2017; thesis 4.3, Fig. 4.8) as its authors built it: a dilated ResNet-101
-// (DeepLab, Chen et al. 2018) whose last bottleneck and classifiers belong to an expert, at three scales with
-// weights of their own, and a pose head on the fused scores. Tensor names are those of the authors' state
-// dictionary; widths and depths are those of the weight file.
+// SketchParse (Sarvadevabhatla et al. 2017; thesis 4.3, Fig. 4.8) as its authors built it: a dilated
+// ResNet-101 (DeepLab, Chen et al. 2018) whose last bottleneck and classifiers belong to an expert, at three
+// scales with weights of their own, and a pose head on the fused scores. Tensor names are those of the
+// authors' state dictionary; widths and depths are those of the weight file.
 //
 // Shapes in comments are for the authors' input of 321×321.
 #pragma once
@@ -28,7 +28,8 @@ struct Trunk {
     Tensor forward(const Tensor& image, const Runtime& runtime) const; // [2048, 41, 41]
 };
 
-// The last bottleneck and the sum of four 3×3 classifiers with dilations 6, 12, 18, 24 (atrous spatial pyramid).
+// The last bottleneck and the sum of four 3×3 classifiers with dilations 6, 12, 18, 24 (atrous spatial
+// pyramid).
 struct Expert {
     network::ResidualBlock bottleneck;
     std::vector<Convolution> classifiers;
@@ -48,7 +49,7 @@ struct PoseHead {
 };
 
 struct Result {
-    Tensor router;              // probabilities of the experts; empty without a router
+    Tensor router; // probabilities of the experts; empty without a router
     int expert = 0;
     std::vector<Tensor> scales; // scores of each scale, resized to those of the first
     Tensor scores;              // their element-wise maximum
@@ -56,9 +57,9 @@ struct Result {
 };
 
 struct Network {
-    std::vector<Scale> scales;               // 1, 3/4, 1/2
-    std::optional<network::Linear> router;   // on the mean of the shared features of the first scale
-    std::vector<PoseHead> pose;              // one per expert
+    std::vector<Scale> scales;             // 1, 3/4, 1/2
+    std::optional<network::Linear> router; // on the mean of the shared features of the first scale
+    std::vector<PoseHead> pose;            // one per expert
 
     // image: [3, height, width], blue, green, red with their means subtracted, as the authors feed it.
     // expert −1: the router decides (Error(weights) without one).
