@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The test program. Ends with the line `N passed, N failed` (test cases), which CI reads.
 #define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>

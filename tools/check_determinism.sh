@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Same input, same bytes: builds the program with other compilers and options, animates the test pages with each
 # build and with other numbers of threads, and compares every file with those of the first run. WebP, GIF and PNG are
 # compared as files, too: one machine has one encoder. Usage: tools/check_determinism.sh [PAGE…]

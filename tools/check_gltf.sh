@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Validates every *.glb below a folder with the Khronos validator: no error and no warning is allowed.
 # Usage: tools/check_gltf.sh FOLDER. Needs node and npm; the validator is installed once, into node_modules.
 set -eu

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Does `pantin verify` see a change? In a copy of the sources one constant at a time is changed, the program is built, and verify must
 # fail and name the stage. Usage, after `make`: tools/check_verify.sh [STAGE...] (all
 # unless named); docs/determinism.md has the result.

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # compare_reference.sh REFERENCE_DIR DATA_DIR: builds the comparison program and compares every stage with the
 # stored reference results. Run by hand; the results it reads are not part of the project.
 set -eu

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """Random weights and a random page through PyTorch and through our networks; prints the largest difference of each module.
 
 usage: compare_torch.py mask-rcnn|sketch-parse --binary build/release/compare_torch [--size W H] [--seed 1] [--threads 1]

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """A state dictionary of PyTorch -> weights that pantin reads.
 
 usage: convert_torch.py STATE_DICT.pth OUT.safetensors [--half] [--set KEY=VALUE ...]

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Writes an assembly file that holds the given files, and the table that src/core/resources.cpp reads:
 # pantin_resources = {name, begin, end}…, closed by a null name. Usage: tools/embed.sh [NAME=]FILE… > resources.S
 set -eu

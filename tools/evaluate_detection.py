@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """How well `pantin detect` finds silhouettes, against drawings with truth.
 
 usage: evaluate_detection.py PANTIN DRAWINGS_DIR... [--ids FILE] [--compose N] [--worst N] [--sheet SHEET.png]

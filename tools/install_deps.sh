@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Installs what the build needs on Debian 12, when something is missing. Quiet when nothing is.
 set -eu
 missing=""

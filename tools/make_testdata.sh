@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Draws testdata/ again, bit for bit: tools/make_testdata.sh [FOLDER] (default testdata). Needs `make doodle`;
 # DOODLE names another build of it. Golden digests of the tests follow from these pictures.
 set -eu

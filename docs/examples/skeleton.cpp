@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The skeleton of a part label map (labels.png), with the library alone:
 //   g++ -std=c++20 skeleton.cpp $(pkg-config --cflags --libs pantin) -o skeleton && ./skeleton
 //   out/character-1/labels.png

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step 6 (thesis 4.6, 6.1): clips retargeted to the character's bones, linear blend skinning, software
 // rasteriser.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step 1 (thesis 4.2): a page to characters, each with its box and its filled silhouette.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Errors that reach the user. A step throws `Error` with one line that names the file and the fact;
 // the command line prints it on stderr and turns the kind into the exit code.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How good the pipeline is on drawings with truth: `pantin evaluate`.
 //
 // A dataset is a folder (docs/formats.md, "Datasets"; tools/doodle writes such folders):

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The walkthrough: one page on which every step shows what it did to a drawing.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Files that other programs read: OBJ/MTL/weights.txt (thesis ch. 5), glTF 2.0, WebP, GIF, APNG, MP4, PNG
 // frames.
 #pragma once

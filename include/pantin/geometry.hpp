@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Points, polygons and the structures on them. Coordinates that decide topology are integers, so every sign
 // is exact.
 #pragma once

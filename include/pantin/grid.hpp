@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A row-major 2D array and the pixel types stored in it.
 // Pixel (x, y) has its centre at integer coordinates, x to the right, y down, origin top left.
 #pragma once

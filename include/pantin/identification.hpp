@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step 4 (thesis 4.5): the reference skeleton that the character moves like.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step 0: files to pixels, and the pixel operations that every later step shares.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The parts of a character (thesis 4.3), with the values that they have in `labels.png`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Strokes to a rigged model in space (Ma et al., RealSkel, 2021): parts that are inflated, connected, refined
 // and united. The model's frame and the strokes' canvas: strokes.hpp. Lengths are canvas units.
 #pragma once

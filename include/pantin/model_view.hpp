@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Between drawings and models in space: part labels become strokes, a model becomes a picture, part labels
 // and a skeleton in the plane, which identification and mapping take as they take a drawing's; the rig that
 // they find moves the model.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From strokes to skeletons and models (Ma et al., RealSkel: real-time skeletonization of user-sketched
 // parts, 2021). Coordinates of strokes: any unit, x to the right, y up or down. Lengths that the paper gives
 // in pixels of its canvas are shares of the stroke's diagonal, the diagonal of its bounding box, so that

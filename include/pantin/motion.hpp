@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Recorded motions: Biovision hierarchies (BVH), and what they do to a humanoid character.
 //
 // A motion is 3D, a drawing is flat. Limb by limb the motion is projected on the plane in which it moves

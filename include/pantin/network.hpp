@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The CNN inference kernel: tensors, weight files, layers. What PyTorch computes, on one CPU, with the same
 // bits on every machine and for any number of threads.
 //

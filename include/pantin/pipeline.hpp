@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The whole way from a page to animated characters, and each step of it alone on a character's folder.
 //
 // Files and folders: docs/formats.md. Every step keeps what it makes in memory and writes it; a step that

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Points. In the plane: pixel coordinates, x right, y down.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step 5 (thesis 4.6): end-effector mapping, mesh, bones, skin weights, texture coordinates.
 #pragma once
 

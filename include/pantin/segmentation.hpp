@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step 2 (thesis 4.3): part labels and the view direction of one character.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step 3 (thesis 3.4, 4.4): part labels to the skeleton graph.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The straight skeleton of a polygon (Aichholzer et al. 1995; Ma et al. 2021, section 3.1, Algorithm 3): its
 // edges move inward at unit speed, each along its own perpendicular; the skeleton is what the corners trace.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a model is made of (Ma et al., RealSkel, 2021): the outlines of its parts in modelling order, and
 // calls that change it.
 //

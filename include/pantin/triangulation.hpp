@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Triangles inside polygons: the constrained Delaunay triangulation and its refinement to well shaped
 // triangles.
 #pragma once

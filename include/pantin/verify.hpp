@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Are the results on this machine those that were released? Every stage of the pipeline on three small
 // drawings of our own, each stage's output compared with the stored one to the last bit (docs/determinism.md,
 // "pantin verify"); and two folders of results compared with each other.

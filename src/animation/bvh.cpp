@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Biovision hierarchy files, read and written.
 #include <algorithm>
 #include <array>

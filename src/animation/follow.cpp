@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // This work is based on:
 // H. J. Smith et al., A Method for Animating Children's Drawings of the Human Figure, 2023, section 3.4:
 // limbs take the directions of the motion, each projected on the plane in which it moves most. Differences:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Two-bone inverse kinematics in the drawing's plane.
 #include "animation/footing.hpp"
 

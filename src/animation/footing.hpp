@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Feet that keep the ground: the tracks "step" and "plant" of a reference's clips (docs/references.md).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which joint of a recorded motion plays which part of a human body, by its name.
 #include <algorithm>
 #include <cctype>

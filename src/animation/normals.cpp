@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pantin/animation.hpp"
 
 namespace pantin {

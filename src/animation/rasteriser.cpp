@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // This work is based on:
 // Juan Pineda, A parallel algorithm for polygon rasterization, 1988 (edge functions);
 // Lance Williams, Pyramidal parametrics, 1983 (the reduced texture).

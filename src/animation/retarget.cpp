@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Thesis 4.6 and 6.1: the clips of a reference skeleton on the bones of a character. Rotations are relative
 // to the pose as drawn, so any drawing starts from its own rest pose. Our additions: swings shrink with short
 // limbs, and the phases of legs alternate when the drawing has more or fewer of them than the reference.

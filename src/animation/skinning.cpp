@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Linear blend skinning (Magnenat-Thalmann, Laperrière, Thalmann 1988) of the flat mesh in 3D.
 #include <algorithm>
 #include <cmath>

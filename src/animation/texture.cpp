@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The drawing as a texture: opaque where the character is, transparent elsewhere. A silhouette's border often
 // runs along the middle of the outline's ink, so the ink that touches it from outside belongs to the
 // character as well.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Vectors and rotations of the animation step.
 #pragma once
 

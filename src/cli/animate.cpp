@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pantin animate IMAGE... -o DIR
 #include <map>
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pantin batch [-o DIR]: pages as lines of standard input, results as lines of standard output
 // (docs/batch.md)
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the subcommands share: common options, the bar, the way errors reach the user. No algorithm lives in
 // this room.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pantin completion SHELL: completion scripts from what --help knows.
 #include <cstdio>
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pantin evaluate DATASET -o DIR
 #include <memory>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pantin explain IMAGE -o DIR
 #include <memory>
 

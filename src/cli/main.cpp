@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The program: parses the command line, runs one subcommand, turns errors into one line and an exit code.
 #include <cerrno>
 #include <csignal>

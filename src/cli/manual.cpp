@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pantin manual -o DIR: man pages from what --help knows, so that both always say the same.
 #include <algorithm>
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pantin model STROKES|CHARACTER_DIR -o DIR
 #include <memory>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The steps one by one: pantin detect IMAGE -o DIR, then segment, skeletonize, identify, rig and render
 // CHARACTER_DIR. They share a file because they are few lines around one header that takes long to compile.
 #include <memory>

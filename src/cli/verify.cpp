@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pantin verify [-o DIR]        every stage against the stored outputs
 // pantin verify DIR --against DIR [-o DIR]   two folders of results
 #include <memory>

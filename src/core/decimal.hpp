@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Numbers as text: the shortest decimals that read back to the same bits, whatever the locale.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A 64-bit digest of results (FNV-1a: Fowler, Noll, Vo). It finds differences; it is no protection against
 // forgery.
 #pragma once

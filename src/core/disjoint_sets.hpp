@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Disjoint sets of 0 … n−1 (union–find with path halving). The smallest element of a set is its root, so that
 // what is built on roots does not depend on the order of the unions.
 #pragma once

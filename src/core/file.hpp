@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whole files in and out. A file that is written exists whole or not at all.
 #pragma once
 

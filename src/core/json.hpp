@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // JSON in our files: keys in the order of insertion, two-space indent, shortest round-trip decimals.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A JSON value and where it stands, for strict readers whose errors name the file, the place and the fact:
 // `skeleton.json: vertices[3].x: must be a number`.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "core/lines.hpp"
 
 #include <algorithm>

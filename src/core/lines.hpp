@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The lines of standard input, one at a time and as soon as they are there.
 #pragma once
 

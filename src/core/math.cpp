@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // This work is based on:
 // Sun Microsystems, FDLIBM 5.3, 1993 (argument reductions and minimax coefficients of exp, log, sin, cos,
 // atan); T. J. Dekker, A floating-point technique for extending the available precision, 1971 (the pairs in

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Elementary functions whose every bit is the same on every compiler, C library and processor
 // (docs/determinism.md): only + − × ÷, fma, rint and integer operations on the bits, in a fixed order.
 // Largest error seen in tests: below 1 ulp. Special values (0, ±∞, NaN) follow C17 Annex F. Use these, never

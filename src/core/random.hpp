@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pseudo-random numbers that are the same on every compiler and machine: a generator and distributions of our
 // own, because the results of std::*_distribution and std::shuffle are left to each standard library.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "core/resources.hpp"
 
 extern "C" {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Files compiled into the program (tools/embed.sh): weights and reference skeletons.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The page through Mask R-CNN, and what it says of the page's pixels.
 #include <algorithm>
 #include <cmath>

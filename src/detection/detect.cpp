@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step 1 of the pipeline (thesis 4.2): ink, its grouping to characters by contours or by Mask R-CNN,
 // silhouettes. Based on: S. Suzuki, K. Abe: Topological structural analysis of digitized binary images by
 // border following. CVGIP 30, 1985. The page is thresholded against its local mean, pieces of ink are grouped

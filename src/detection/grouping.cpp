@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From ink to characters. Thesis 4.2 names the problem: with gaps one character has many contours, and the
 // more is dilated, the more neighbours merge. So nothing is dilated; pieces of ink are joined by rules on
 // gaps and sizes:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Internal: which connected pieces of ink make one character.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "detection/network_grouping.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Internal: which ink makes one character, as Mask R-CNN sees it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rooms: background regions that open outlines enclose.
 //
 // Closing the ink with a disc and filling asks which background the disc cannot reach from outside. The

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Internal: which background belongs to a shape whose outline has gaps.
 #pragma once
 

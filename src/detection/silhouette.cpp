@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "detection/silhouette.hpp"
 
 #include <algorithm>

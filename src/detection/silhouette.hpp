@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Internal: from the ink of one character to its filled silhouette.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reading a folder of drawings with truth.
 #include <algorithm>
 #include <sstream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The pipeline's steps on every page of a dataset, compared with the truth.
 #include <algorithm>
 #include <tuple>

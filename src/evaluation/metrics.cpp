@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Measures of an evaluation.
 #include <algorithm>
 #include <limits>

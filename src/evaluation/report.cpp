@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An evaluation as text, JSON and HTML.
 #include <cmath>
 #include <cstdio>

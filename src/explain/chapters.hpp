@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The chapters of the page, one for each thing that a step makes. Each says with what its template
 // (assets/chapters/<name>.html) is filled.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step 1: the page with its characters; the silhouette of one of them.
 #include <algorithm>
 #include <cmath>

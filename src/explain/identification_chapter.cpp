@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step 4: each reference beside the character, what was matched, and what the distance is the sum of.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step 5, first half: paths between ends, their distances, the subsequence bijection, the assignment.
 #include <algorithm>
 

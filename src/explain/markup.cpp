@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "explain/markup.hpp"
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // HTML text: escapes, data inside the page, templates with places to fill.
 #pragma once
 

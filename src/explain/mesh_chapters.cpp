@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step 5, second half: the mesh by marching squares, bones and skin weights.
 #include <algorithm>
 

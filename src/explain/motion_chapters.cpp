@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step 6, and beyond the plane: the clips on the character, flat and inflated.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The walkthrough as one HTML file: chapters in the order of the steps, around the pictures of this run.
 #include <array>
 #include <vector>

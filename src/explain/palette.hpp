@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The colours of the page's pictures. A part has the same one in all of them (and in assets/page.css): those
 // of the thesis (Fig. 4.13).
 #pragma once

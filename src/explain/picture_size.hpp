@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The drawing as the page shows it: small enough that a page with many characters stays light.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step 2: what the network believes of every pixel, and what it became.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step 3: border, Voronoi diagram, thinning, graph.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "explain/svg.hpp"
 
 #include "explain/markup.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Vector pictures over a drawing, in pixels of its working size.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Animated PNG (W3C PNG, third edition, 11.3.5): the frames' own PNG streams, taken apart and numbered.
 // Readers that do not know the animation chunks show the first frame.
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "export/decode_film.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Films back to frames: for comparing results, and for tests.
 #pragma once
 

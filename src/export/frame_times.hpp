@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // When the frames of a film begin.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Animated GIF with transparency (giflib writes the LZW stream).
 //
 // Delays are whole hundredths of a second, and players slow down below 2/100 s. So the file runs at the legal

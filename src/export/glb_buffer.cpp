@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "export/glb_buffer.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The binary chunk of a GLB and the JSON arrays that describe it (glTF 2.0 specification, 3.6 and 4.4).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reads a GLB back: chunks, JSON, accessors. Shares no code with the exporter, so that tests may rely on it.
 // What is damaged is a std::runtime_error or an exception of the JSON library.
 #pragma once

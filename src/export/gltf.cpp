@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // glTF 2.0 binary (Khronos Group 2021) with what importers need (docs/formats.md, "character.glb"): one
 // skinned mesh at the scene root without transform, all joints below one root, end joints at the leaves, at
 // most four influences that sum to one, an unlit double-sided material with the drawing embedded (of a solid:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "export/joints.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The rig's bones as glTF joints.
 //
 // The rig animates in world axes: the rotation of every bone is the identity at rest. Blender and others draw

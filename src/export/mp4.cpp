@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // H.264 in MP4 by the ffmpeg on the machine: raw frames through a socket, so that nothing but ffmpeg has to
 // be there and no intermediate file is written. The bytes are ffmpeg's own and differ between its versions.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Wavefront OBJ and MTL, and the weights as text: what the thesis hands to Blender (ch. 5).
 //
 // The mesh is in world units (include/pantin/animation.hpp); z is the small offset that gives the draw order

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Median cut (Heckbert, Color image quantization for frame buffer display, 1982) on a histogram with 6 bits a
 // channel. Departures: the box with the largest weighted variance is split next, at its mean, because
 // drawings are mostly paper and the few ink colours must not be crowded out. Everything is integer

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One palette for all frames of an animation.
 #pragma once
 

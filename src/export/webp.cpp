@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Animated WebP, lossless, with alpha (libwebp's WebPAnimEncoder).
 #include "pantin/export.hpp"
 

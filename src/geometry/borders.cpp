@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Border following after Suzuki & Abe, "Topological structural analysis of digitized binary images by border
 // following", 1985, Algorithm 1 and Appendix I, with the paper's names: f the picture, NBD the number of the
 // border that is being followed, LNBD that of the border last met on the row.

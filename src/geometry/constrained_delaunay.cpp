@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Constrained Delaunay triangulation of a polygon's inside: the Delaunay triangulation of its corners, into
 // which the edges of its loops are brought by flips (Sloan, A fast algorithm for generating constrained
 // Delaunay triangulations, 1993).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Delaunay triangulation by divide and conquer on quad-edges: Guibas & Stolfi, "Primitives for the
 // manipulation of general subdivisions and the computation of Voronoi diagrams", 1985. Every sign is exact
 // (integer predicates), so rows of collinear and cocircular pixels need no special case.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // This work is based on: J. Ruppert, A Delaunay refinement algorithm for quality 2-dimensional mesh
 // generation, 1995. Here a point of the border is added when a circumcentre is hidden by an edge of the
 // border or when a new triangle's corner encroaches upon one; edges at the shortest length are left as they

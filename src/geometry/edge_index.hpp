@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Edges that move and grow steadily, in a tree of boxes that move and grow with them: finds those that a
 // moving point may meet (Šaltenis et al., Indexing the positions of continuously moving objects, 2000; here
 // in memory, and built once).

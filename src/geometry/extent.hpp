@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How large polygons are.
 #pragma once
 

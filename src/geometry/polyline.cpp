@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Open polylines: length, sampling at equal arc length, simplification (Douglas & Peucker, "Algorithms for
 // the reduction of the number of points required to represent a digitized line or its caricature", 1973).
 #include "pantin/geometry.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Exact signs of determinants of integer points.
 #include "pantin/geometry.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ma et al. 2021, section 3.1, "Simple polygon acquisition".
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // This work is based on:
 // P. Felkel, Š. Obdržálek, Straight skeleton implementation, 1998: circular lists of corners and a queue of
 // events. Differences: a split event is judged when its time has come, by the moving edges as they are then,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "geometry/triangle_links.hpp"
 
 #include <algorithm>

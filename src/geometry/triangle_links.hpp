@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Triangles with links to their neighbours that can be flipped and split: what constrained triangulation and
 // refinement work on.
 #pragma once

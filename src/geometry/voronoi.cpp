@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The Voronoi diagram as the dual of the Delaunay triangulation.
 #include "pantin/geometry.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A reference between two: the gryphon of the thesis (6.2) has the legs of a quadruped and the wings of a
 // bird.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The labelled geometric graph distance by exact branch and bound.
 //
 // O. Cheong, J. Gudmundsson, H.-S. Kim, D. Schymura, F. Stehn: Measuring the Similarity of Geometric Graphs,

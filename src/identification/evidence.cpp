@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Constants of the evidence. Fitted by tools/identification/fit_evidence.py (multinomial logistic regression
 // with a ridge) on true labels of real drawings; the command and the figures stand in docs/identification.md.
 #include "identification/evidence.hpp"

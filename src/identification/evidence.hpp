@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The evidence that decides between the reference skeletons, in the default preset.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step 4: which reference skeleton the character moves like (thesis 4.5; readings in ERRATA 8–13).
 #include <algorithm>
 #include <cmath>

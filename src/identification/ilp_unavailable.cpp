@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Built without GLPK (`make GLPK=0`): the exact branch and bound serves alone.
 #ifndef PANTIN_GLPK
 #include "pantin/error.hpp"

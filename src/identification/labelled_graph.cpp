@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Labelled geometric graphs: conversion, normalisation and the cost of a matching (thesis 4.5, Eq. 4.7).
 #include <algorithm>
 #include <optional>

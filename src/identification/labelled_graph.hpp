@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The terms of Eq. 4.7 that both solvers share.
 #pragma once
 

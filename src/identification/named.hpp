@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Things that have a name, in a list.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The reference skeletons: JSON to structs (format: docs/formats.md, "reference.json"; thesis 4.5,
 // Fig. 4.13).
 //

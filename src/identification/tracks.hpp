@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Kinds of tracks of a clip.
 #pragma once
 

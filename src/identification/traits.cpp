@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Traits of a labelled drawing (ERRATA 10): presence, number and place of parts.
 #include "identification/traits.hpp"
 

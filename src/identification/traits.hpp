@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Traits: what the parts of a drawing say about how it moves, besides the distance of its skeleton (ERRATA
 // 10).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Connected components in two passes with union–find (Rosenfeld & Pfaltz 1966; the smaller label becomes the
 // root, so that final ids follow the raster order of each component's first pixel).
 #include <algorithm>

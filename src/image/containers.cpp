@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // PNG: W3C "Portable Network Graphics (PNG) Specification (Second Edition)", sections 5.2–5.6 and annex D
 // (checksum). JPEG: ITU-T T.81 (1992), annex B (markers). EXIF: CIPA DC-008 (EXIF 2.3), section 4.6.
 #include "image/containers.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What stands in the containers around the pixels of a PNG or JPEG file: dimensions, orientation, and whether
 // the file is whole. stb_image decodes damaged files without complaint (it checks no PNG checksum and pads a
 // truncated JPEG with grey), so the containers are walked here first, with every read bounds-checked.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Distance transforms in linear time. Based on:
 // - P. Felzenszwalb, D. Huttenlocher: Distance Transforms of Sampled Functions. Theory of Computing 8, 2012
 //   (lower envelope of parabolas, one dimension after the other);

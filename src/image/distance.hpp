@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Internal: the squared distance transform towards either value of a mask.
 #pragma once
 

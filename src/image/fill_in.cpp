@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // This work is based on:
 // Gortler et al., The Lumigraph, 1996, section 3.4 (push-pull: scattered colours averaged up a pyramid and
 // carried down into the gaps), followed by Jacobi steps of Laplace's equation, which take the pyramid's

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Binary morphology. Squares are separable and use running counts, so the cost does not depend on the radius;
 // discs threshold the exact squared distance transform (Serra 1982: dilation by a disc = parallel set).
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Separable resizing, the columns of every row first, then the rows. Per axis: area average when it shrinks
 // (exact overlap of the pixels' squares), bilinear when it grows.
 #include "pantin/image.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // stb_image and stb_image_write (Sean Barrett, public domain) with only what Pantin uses: PNG and JPEG from
 // memory, PNG to memory. Without SIMD, because the SIMD inverse DCT of a JPEG may round differently from the
 // scalar one.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Brightness to ink. Local thresholds and a local estimate of the paper's brightness, so that shadows and
 // yellow paper of a phone photo do not become ink. Based on: P. D. Wellner, Adaptive Thresholding for the
 // DigitalDesk, 1993 (darker than the local mean by a margin); the paper's estimate is a morphological closing

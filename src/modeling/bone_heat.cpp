@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // This work is based on: I. Baran, J. Popović, Automatic rigging and animation of 3D characters, 2007,
 // section 4.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ma et al. 2021, Algorithm 1.
 #include <algorithm>
 #include <cmath>

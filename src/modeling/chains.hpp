@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Trees as lists of neighbours.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ma et al. 2021, section 3.2: sub-skeletons become one skeleton, or several when parts do not meet.
 #include <algorithm>
 #include <limits>

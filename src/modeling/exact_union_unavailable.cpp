@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Built without CGAL (`make CGAL=0`): the union on a lattice serves alone.
 #include "pantin/error.hpp"
 #include "pantin/model.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modeling/frames.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the canvas of a part lies in the model (strokes.hpp).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ma et al. 2021, section 4.1: the polygon becomes a triangle mesh, its height field comes from Poisson's
 // equation (Dvorožňák et al., Monster Mash, 2020).
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The model as it is edited: which strokes there are, where they lie, and what follows from them.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modeling/part_field.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far a point is from an inflated part, as a function that unite() samples.
 #pragma once
 

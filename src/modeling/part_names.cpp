@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the name of a part says about it.
 #include <algorithm>
 #include <array>

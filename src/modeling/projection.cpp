@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A model as a picture with part labels and a skeleton in the plane (include/pantin/model_view.hpp).
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ma et al. 2021, section 3.3, on one sub-skeleton or on the connected skeleton of a model.
 #include <algorithm>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Part labels of a scanned drawing as strokes (include/pantin/model_view.hpp).
 #include <algorithm>
 #include <cmath>

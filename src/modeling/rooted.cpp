@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modeling/rooted.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Trees of joints with a root each.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rigs in space (include/pantin/model_view.hpp).
 #include <algorithm>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // strokes.json (docs/formats.md). Parts and calls are read in order, as they will be played: a call knows the
 // parts that stand then.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Strokes drawn in a vector program (docs/formats.md, "SVG strokes"). A drawing is read as the strokes.json
 // that it stands for, so that one set of rules holds for both. Scalable Vector Graphics (SVG) 2, W3C 2018:
 // chapters 5, 9 and 10.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modeling/svg_path.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The small languages inside SVG attributes: path data, transforms, lists of numbers and lengths (Scalable
 // Vector Graphics (SVG) 2, W3C 2018, chapters 8 and 9). Every result is bit-identical on every platform.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Built without pugixml (`make PUGIXML=0`): strokes are read from JSON alone.
 #ifndef PANTIN_PUGIXML
 #include "pantin/error.hpp"

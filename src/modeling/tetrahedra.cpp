@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "modeling/tetrahedra.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The surface where a function that is known on a body-centred cubic lattice changes its sign, by marching
 // tetrahedra (Doi & Koide 1991). In a tetrahedron the surface is flat and cannot be cut in two ways, so it is
 // closed and never meets itself. Lattice points that are close to the surface are moved onto it, as in

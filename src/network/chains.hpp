@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What convolution and transposed convolution share: filters packed for the kernel, and one pass of the
 // kernel over a padded image.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Convolution, transposed convolution and batch normalisation folded into their filters.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // fmaf with correct rounding on machines without the instruction. Follows Boldo & Melquiond, "Emulation of a
 // FMA and correctly rounded sums: proved algorithms using rounding to odd", IEEE Transactions on Computers
 // 2008.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The inner loop that convolution, transposed convolution and linear layers share, compiled once per
 // instruction set (kernel_*.cpp) and chosen at run time.
 #pragma once

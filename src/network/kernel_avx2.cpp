@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernel for AVX2 with FMA: 8 lanes, 6 × 2 accumulators of 16 registers.
 #include "network/kernel.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernel for AVX-512F: 16 lanes, 6 × 4 accumulators of 32 registers.
 #include "network/kernel.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernel for any IEEE 754 machine, fused multiply-add emulated where the compiler's target has none.
 #include "network/kernel.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernel for aarch64, whose baseline has fused multiply-add: 4 lanes, 6 × 4 accumulators of 32 registers.
 #include "network/kernel.hpp"
 

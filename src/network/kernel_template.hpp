@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kernel's source, included by every kernel_*.cpp after it has defined, in an unnamed namespace,
 //   PANTIN_TARGET  the function attribute that switches the instruction set on,
 //   Vector         with width, load, broadcast, fma, positive_part, store,

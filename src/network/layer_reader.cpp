@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "network/layer_reader.hpp"
 
 namespace pantin::network {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Layers from a weight file by the tensor names of PyTorch's state dictionaries. Widths and kernel sizes are
 // those of the tensors, so one reader serves every width of a network. Anything that does not fit is
 // Error(weights) naming the file and the tensor.

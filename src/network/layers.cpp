@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Layers without weights: pooling, activations, joining, resizing, sigmoid, softmax.
 #include <algorithm>
 #include <limits>

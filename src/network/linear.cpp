@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Fully connected layers: the kernel with the roles turned round. The outputs take the place of the pixels,
 // the samples of the batch that of the filters; the chain runs over the inputs as everywhere.
 #include <algorithm>

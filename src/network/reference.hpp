@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The layers as plain loops over their definition, kept as the oracle of the tests: the fast ones return the
 // same bits.
 #pragma once

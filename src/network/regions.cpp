@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "network/regions.hpp"
 
 #include <algorithm>

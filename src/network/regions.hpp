@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Operations on regions of feature maps: RoIAlign and non-maximum suppression, as torchvision defines them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "network/residual.hpp"
 
 namespace pantin::network {

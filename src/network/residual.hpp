@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The residual block of He et al. 2016, whatever is in its branch.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which instruction set, and the threads of a forward pass.
 #include <atomic>
 #include <condition_variable>

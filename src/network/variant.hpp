@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From the public name of an instruction set to its kernel.
 #pragma once
 

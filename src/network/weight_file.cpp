@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The safetensors format: https://github.com/huggingface/safetensors, "Format". Stricter than most readers:
 // the tensors must tile the data without gap or overlap, as the specification says.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/animated_drawings.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Character folders of AnimatedDrawings (facebookresearch/AnimatedDrawings): texture.png, mask.png and
 // char_cfg.yaml, the joints of a human figure. Needs yaml-cpp (built with YAML=1).
 #pragma once

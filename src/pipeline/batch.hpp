@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Many pages in one process (docs/batch.md): one page as a line of the output, and the threads that share the
 // pages out.
 #pragma once

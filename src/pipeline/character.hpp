@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A character on its way through the steps: what the steps before have made, in memory or else in its folder.
 #pragma once
 

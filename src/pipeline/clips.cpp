@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/clips.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // All that a character can play: the clips of its reference, and the recorded motion when the user gives one.
 #pragma once
 

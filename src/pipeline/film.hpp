@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frames as film files.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The steps alone, on a character's folder.
 #include "pantin/pipeline.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the user gives instead of a step's result.
 #pragma once
 

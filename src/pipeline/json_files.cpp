@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/json_files.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The JSON files of a character's folder as text, and back (docs/formats.md). Every double survives the way
 // there and back to the bit. Readers throw Error(input) that names `file`, the place and the fact.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pantin model: strokes, or the parts of a scanned drawing, to a model's folder.
 #include <algorithm>
 

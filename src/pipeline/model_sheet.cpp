@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/model_sheet.hpp"
 
 #include <algorithm>

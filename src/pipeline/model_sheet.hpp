@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A model from three sides with its skeleton, and once more at an angle without it, as one picture.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The networks' weights: compiled in, or from a folder.
 #include "core/file.hpp"
 #include "core/resources.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The two presets, and every option by its name in a configuration file.
 #include <algorithm>
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The page's folder: page.json and the folders of its characters.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The driver: from a page to animated characters, one step after the other. The file to read first.
 #include "pantin/pipeline.hpp"
 

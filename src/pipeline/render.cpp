@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step 6: the clips as films.
 #include <algorithm>
 #include <iterator>

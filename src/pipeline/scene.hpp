@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The whole page as one film: every character moves in its place, before the paper with the characters taken
 // off.
 #pragma once

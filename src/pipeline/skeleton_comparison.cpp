@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/skeleton_comparison.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The skeletons of all methods beside each other, for looking at (docs/formats.md, skeletons.png and
 // skeletons.json).
 #pragma once

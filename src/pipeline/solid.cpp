@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/solid.hpp"
 
 #include <nlohmann/json.hpp>

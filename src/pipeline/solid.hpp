@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A model's folder: the model and how its pictures were taken.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/stages.hpp"
 
 #include "core/file.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The steps on one character: each takes what it needs from the character, keeps what it makes and writes it.
 // CharacterRejected says why a character cannot go on; nothing of that step is written then.
 #pragma once

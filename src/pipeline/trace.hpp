@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Intermediate products for --trace, in a folder `trace` (docs/formats.md).
 #pragma once
 

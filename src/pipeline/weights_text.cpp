@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reads weights.txt (docs/formats.md) back: the bones must be those of the rig, every vertex needs its line.
 #include <algorithm>
 #include <charconv>

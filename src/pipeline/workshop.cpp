@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pipeline/workshop.hpp"
 
 #include "core/file.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What all characters of a page share: the settings, the networks and the reference skeletons, each loaded
 // once.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "rigging/bones.hpp"
 
 #include <algorithm>

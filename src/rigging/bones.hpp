@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Limbs to bones (thesis 4.6; joints of the reference skeleton).
 #pragma once
 

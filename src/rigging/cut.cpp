@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "rigging/cut.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Limbs that touch: the mesh is cut between parts that are far apart along the skeleton (thesis 6.3,
 // Fig. 6.9; ERRATA 22).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Minimum-cost assignment by shortest augmenting paths with potentials.
 //
 // H. W. Kuhn: The Hungarian method for the assignment problem, 1955; the O(n²m) form with one shortest path

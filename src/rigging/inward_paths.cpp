@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "rigging/inward_paths.hpp"
 
 #include <algorithm>

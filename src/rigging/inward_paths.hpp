@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The skeleton graph as pixel paths from each end-effector to a root point.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the thesis (4.6) has one bone per end-effector, between the end and its neighbour in the graph, the
 // limbs here run along the skeleton's pixels from where they leave the body, so that bones can follow bent
 // limbs and weights can be measured along them. Unmatched end-effectors become side branches of a limb, or

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From the skeleton graph and the end-effector mapping to limbs: where each leaves the body and along which
 // path of the skeleton it runs. Bones, pixel ownership and weights are all expressed along these paths.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // End-effector mapping (thesis 4.6, Algorithms 4.2 and 4.3, Eq. 4.10–4.14).
 //
 // X. Bai, L. J. Latecki: Path Similarity Skeleton Graph Matching, 2008: the cost of matching two

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // This work is based on:
 // Thorsten Korpitsch, Semantic-aware animation of hand-drawn characters, 2023, section 4.6, Fig. 4.17;
 // Carsten Maple, Geometric design and space planning using the marching squares and marching cube algorithms,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "rigging/mesh_topology.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The mesh as a graph, and how many pieces and holes a mesh or a mask has.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Optimal subsequence bijection: a cheapest order-preserving matching of parts of two sequences.
 //
 // L. J. Latecki, Q. Wang, S. Koknar-Tezel, V. Megalooikonomou: Optimal Subsequence Bijection, ICDM 2007;

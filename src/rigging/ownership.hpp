@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which limb every pixel and mesh vertex belongs to, measured inside the silhouette.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "rigging/part_components.hpp"
 
 #include <algorithm>

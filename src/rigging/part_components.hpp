@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Parts of the label map as pieces of the silhouette, for parts in which the skeleton has no end-effector.
 #pragma once
 

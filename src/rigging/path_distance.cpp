@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Path distance between two skeleton paths (thesis 4.6, Eq. 4.8 and 4.9).
 //
 // X. Bai, L. J. Latecki: Path Similarity Skeleton Graph Matching, 2008. Eq. 4.8 is read as DT(p) / mean DT,

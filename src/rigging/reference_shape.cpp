@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The simple shape of a reference skeleton (thesis 4.5: "for each of the characters we define a simple
 // shape").
 #include <algorithm>

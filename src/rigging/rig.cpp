@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Thesis 4.6 from the mapped end-effectors on: mesh, bones, weights, texture coordinates. `thesis_weights` is
 // Algorithm 4.4 on one bone per end-effector; otherwise limbs have several bones along the skeleton and
 // smooth weights.

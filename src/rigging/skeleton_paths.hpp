@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Skeleton paths (thesis 4.6): the pixels between two end-effectors and the radii along them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "rigging/skin_weights.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Influence of the bones on the mesh's vertices (thesis 4.6).
 #pragma once
 

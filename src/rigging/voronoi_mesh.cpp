@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The mesh that thesis 4.6 rejects (Fig. 4.18(b)): the Voronoi regions of the border's pixels, as far as they
 // lie inside.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "segmentation/letterbox.hpp"
 
 #include <algorithm>

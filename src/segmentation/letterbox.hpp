@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The crop inside the network's square input and back.
 #pragma once
 

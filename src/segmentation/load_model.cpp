@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From the weight file to the network's modules.
 #include <charconv>
 

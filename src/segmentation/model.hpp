@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The segmentation network: a two-level network in the manner of SketchParse (Sarvadevabhatla et al. 2017,
 // thesis Fig. 4.8): a stem shared by all drawings, a router that chooses one of several experts, an expert
 // that labels the parts, and a head that estimates the direction in which the character faces. Where it

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The labels inside the silhouette.
 #include <algorithm>
 

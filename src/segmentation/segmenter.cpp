@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The step: the crop through the network, the silhouette, the labels.
 #include <algorithm>
 

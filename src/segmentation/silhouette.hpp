@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The silhouette's last word and the labels inside it (SilhouetteOptions in pantin/segmentation.hpp).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "segmentation/views.hpp"
 
 #include <algorithm>

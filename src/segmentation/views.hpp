@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Several looks at one drawing: as it is, tilted to both sides, mirrored. Each answer is brought back to the
 // drawing; the surer ones count more.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The chordal axis: L. Prasad, "Morphological analysis of shapes", 1997; with finely and evenly sampled
 // outlines as in P. Borosán et al., "RigMesh: automatic rigging for part-based shape modeling and
 // deformation", 2012, so that the triangles between the two sides of a limb are needles and lie across it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The chordal axis of a mask, as pixels.
 #pragma once
 

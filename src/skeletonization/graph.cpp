@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The graph of a one-pixel-wide skeleton (thesis 4.4): a vertex at every end and wherever lines meet, an edge
 // for every chain of pixels between two vertices.
 #include "pantin/skeletonization.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Small operations that keep a skeleton graph in its canonical form: u < v, pixels from u to v, edges sorted
 // by (u, v), ends marked by degree.
 #pragma once

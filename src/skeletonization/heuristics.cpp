@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The two heuristics of the thesis, section 4.4, that rid the graph of what would mislead the later steps
 // (ERRATA 7).
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The eight neighbours of a pixel as the bits of a byte, in the order P_2 … P_9 of Figure 4.10: north, then
 // clockwise.
 #pragma once

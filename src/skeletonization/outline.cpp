@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The corners are the midpoints of the sides between a pixel of the mask and one outside, joined as marching
 // squares joins them (an 8-connected mask), then smoothed. The borders of follow_borders would not do: they
 // pass lines of one pixel's width twice.

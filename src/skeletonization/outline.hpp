@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The outline of a mask as polygons that a constrained triangulation can take.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "skeletonization/parts.hpp"
 
 #include <algorithm>

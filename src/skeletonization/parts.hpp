@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the default preset adds to the thesis's skeleton so that every drawn part can move. Both are options
 // that `thesis` switches off.
 #pragma once

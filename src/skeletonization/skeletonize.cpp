@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Step 3 as a whole (thesis 4.4): silhouette → borders → Voronoi skeleton (or another one) → thinning → graph
 // → heuristics.
 #include "pantin/skeletonization.hpp"

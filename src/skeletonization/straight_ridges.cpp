@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "skeletonization/straight_ridges.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The straight skeleton of a mask, as pixels.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Thinning to one pixel: Zhang & Suen, "A fast parallel algorithm for thinning digital patterns", 1984, as
 // Algorithm 4.1 of the thesis, with its misprints mended (B(P_1) for B(P_0), M cleared before each
 // sub-iteration, the second one with C_c' and C_d'); then the staircase pixels that it leaves are removed,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Homotopic thinning with anchors: the pixels of the mask are peeled off from the border inwards as long as
 // each is simple (Yokoi, Toriwaki & Fukumura 1975) and none of the raster's own. What is left is homotopic to
 // the mask by construction, contains the raster, and runs along the middle of the mask where the raster has a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Makes the raster of a Voronoi skeleton homotopic to its shape: one component, and one cycle around every
 // hole.
 #pragma once

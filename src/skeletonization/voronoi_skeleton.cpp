@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Voronoi skeletons with residuals: Ogniewicz & Ilg, "Voronoi skeletons: theory and applications", 1992; the
 // thesis, section 3.4 and Figure 3.14. Departures: a border may pass a pixel twice, and borders of holes take
 // part (ERRATA 1 to 4).

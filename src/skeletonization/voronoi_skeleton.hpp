@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The Voronoi skeleton of a mask (thesis 3.4): sites on the borders, residuals, rasterisation.
 #pragma once
 

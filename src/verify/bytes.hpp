@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Files in memory are strings; decoders take bytes.
 #pragma once
 

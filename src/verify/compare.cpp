@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One file against another of its name.
 #include <algorithm>
 #include <string_view>

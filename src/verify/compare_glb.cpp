@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A GLB as JSON with the values of its accessors in place, and its picture apart: what it says, whatever the
 // PNG encoder.
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pixels side by side, and a picture of where they differ.
 #include <algorithm>
 #include <cmath>

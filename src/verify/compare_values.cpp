@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Numbers, words and JSON side by side.
 #include <bit>
 #include <charconv>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Two folders of results side by side, by the stages that made their files.
 #include <algorithm>
 #include <map>

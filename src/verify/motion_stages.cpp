@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Steps 4 to 6: skeleton graph to moving meshes and files for other programs.
 #include <algorithm>
 

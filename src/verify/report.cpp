@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Verifications and comparisons as text.
 #include <algorithm>
 

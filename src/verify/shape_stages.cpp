@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Steps 1 to 3: page to skeleton graph. The sub-steps of skeletonization that are functions of their own
 // (skeletonization.hpp) are stages of their own; borders and Voronoi diagram are taken from the whole step,
 // and so is its result.

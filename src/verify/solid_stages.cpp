@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The modeling room: the parts of a drawing to strokes, a skeleton in space, an inflated part, one closed
 // surface and its weights.
 #include "pantin/export.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The stages of the pipeline as rows of the verification: each one a call of public step functions, files in
 // and files out.
 #pragma once

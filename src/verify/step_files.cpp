@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "verify/step_files.hpp"
 
 #include <nlohmann/json.hpp>

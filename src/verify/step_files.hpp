@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the steps hand to each other in memory, as JSON files of the reference vectors (docs/formats.md,
 // "Reference vectors"). Every double survives the way there and back to the bit. Readers throw Error(input)
 // that names `file`, the place and the fact.

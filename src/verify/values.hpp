@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Files as values, so that two of them can be compared whatever their encoding.
 #pragma once
 

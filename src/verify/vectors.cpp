@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "verify/vectors.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The reference vectors that are compiled in: inputs and outputs of every stage (testdata/vectors/README.md).
 #pragma once
 

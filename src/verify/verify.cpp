@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The stages on the drawings, each output against the stored one.
 #include "pantin/verify.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // AnimatedDrawings character folders, written and read.
 #include <catch2/catch.hpp>
 

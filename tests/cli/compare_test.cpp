@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // skeletonize --compare: the skeletons of all methods in one picture.
 #include <catch2/catch.hpp>
 

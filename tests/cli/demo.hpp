@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The demo page animated once, in small, for all tests that look at the results.
 #pragma once
 

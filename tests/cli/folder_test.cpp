@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Character folders that people have changed by hand.
 #include <catch2/catch.hpp>
 

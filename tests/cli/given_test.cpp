@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Steps that the user overrules: --mask, --labels, --reference.
 #include <catch2/catch.hpp>
 

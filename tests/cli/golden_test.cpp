@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Golden digests of every file of the demo page and of a model (docs/determinism.md says what is digested,
 // and how to update them).
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // make install, and a program that uses the library through pkg-config.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pantin model: strokes and scanned characters to solids.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // docs/references.md, followed step by step.
 #include <catch2/catch.hpp>
 

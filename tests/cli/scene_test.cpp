@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Films for other programs: MP4 through an ffmpeg of the test's own, and the page as one film.
 #include <catch2/catch.hpp>
 

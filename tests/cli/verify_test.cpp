@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pantin verify: exit codes, table, folders.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A pen for the tests: drawings on white (or any) paper, and their true silhouettes.
 #pragma once
 

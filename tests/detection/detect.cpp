@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "pantin/detection.hpp"
 
 #include <catch2/catch.hpp>

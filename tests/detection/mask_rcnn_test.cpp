@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Mask R-CNN: module by module against a pass of torchvision on a small network (tools/compare_torch.py), its
 // region operations against brute force, and weight files that do not fit.
 #include <catch2/catch.hpp>

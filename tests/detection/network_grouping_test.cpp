@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ink grouped by what a network claims: whole pieces, divided pieces, pieces that nobody claims; the finder
 // on a page with a small network.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "detection/rooms.hpp"
 
 #include <catch2/catch.hpp>

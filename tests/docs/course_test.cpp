@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The exercises of docs/course, run as they stand there.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Links between the pages of the documentation lead somewhere, and so do the names of tests in
 // docs/robustness.md.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // docs/schemas: what the program writes and reads is as the schemas say, and they let nothing else through.
 #include <catch2/catch.hpp>
 

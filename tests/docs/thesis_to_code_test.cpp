@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // docs/thesis-to-code.md is complete, and what it names exists.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pages of the generator as a dataset, as tools/doodle writes them.
 #pragma once
 

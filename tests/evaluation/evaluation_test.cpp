@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `pantin evaluate`: measures against values worked out by hand, a generated dataset, datasets with faults.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The walkthrough of small drawings: whole, self-contained, and true to the files of the run. Browsers look
 // at it in `make test-web`.
 #include <catch2/catch.hpp>

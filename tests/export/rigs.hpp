@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A small rig made by hand for the tests of the exporters.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Labelled figures painted from thick lines, for the tests of identification and mapping.
 #pragma once
 

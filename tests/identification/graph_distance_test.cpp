@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The labelled geometric graph distance: hand-worked cases, enumeration, three solvers, invariances.
 #include <catch2/catch.hpp>
 

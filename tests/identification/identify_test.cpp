@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The step: whole figures, what is rejected, what the evidence does, what the presets do.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reference skeletons: what is compiled in, what a directory adds, what a malformed file says.
 #include <catch2/catch.hpp>
 

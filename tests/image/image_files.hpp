@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Builders of image files for the tests: PNG of any colour type, JPEG with an EXIF segment.
 #pragma once
 

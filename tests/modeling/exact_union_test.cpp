@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The union on a lattice beside the exact one (CGAL). `pantin-tests '[exact-union]'` prints the table of
 // docs/modeling.md.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What holds for each of the nine models of testdata/models.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Strokes, models and checks of surfaces in space for the tests of this room.
 #pragma once
 

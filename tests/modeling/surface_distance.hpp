@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far one surface is from another, for the tests of this room.
 #pragma once
 

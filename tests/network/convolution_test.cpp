@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Convolution, transposed convolution and linear layers against their plain loops, bit for bit, on every
 // instruction set and several thread counts; and against values worked out by hand.
 #include <catch2/catch.hpp>

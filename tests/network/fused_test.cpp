@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The emulated fused multiply-add against the C library's.
 #include <catch2/catch.hpp>
 

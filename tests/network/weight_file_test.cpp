@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The safetensors reader on good files and on every kind of bad one.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Hand-made characters for the tests of rigging and animation.
 #pragma once
 

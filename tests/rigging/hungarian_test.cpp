@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Assignment against a search through all permutations.
 #include <catch2/catch.hpp>
 

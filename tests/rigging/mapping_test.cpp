@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // End-effector mapping of painted figures and of the references onto themselves.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What every mesh has to be, and masks to make meshes of.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The optimal subsequence bijection against the enumeration of all order-preserving matchings.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The network against PyTorch, on a small one with random weights (tools/train/export.py --fixture).
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The whole step on small pictures.
 #include <catch2/catch.hpp>
 

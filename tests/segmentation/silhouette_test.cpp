@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The rule of the silhouette and its labels, on small drawings made for one fact each.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // SketchParse: module by module against a pass of PyTorch on a small network (tools/compare_torch.py), and
 // weight files that do not fit.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Several looks at a drawing, on the small network with random weights.
 #include <catch2/catch.hpp>
 

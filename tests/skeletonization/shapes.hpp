@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Small pictures and random shapes for the tests of this room.
 #pragma once
 

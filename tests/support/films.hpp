@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Decoded animations, for tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Recorded motions made by the tests: a performer of one height whose joints have the names of one program or
 // another.
 #pragma once

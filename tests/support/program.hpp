@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Runs the program that the environment variable PANTIN names (make test-run sets it).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The only file with valijson, which takes long to compile.
 #include "support/schemas.hpp"
 

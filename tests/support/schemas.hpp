@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // JSON against the schemas in docs/schemas.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tensors for the tests: random ones, the same on every machine, and their comparison.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Weight files with one fault.
 #pragma once
 

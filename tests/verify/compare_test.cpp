@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Files side by side: which place is named, which values, how large the difference is.
 #include <catch2/catch.hpp>
 

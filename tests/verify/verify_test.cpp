@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The stages against the stored results: they agree, and a change in a stage is seen in that stage.
 #include <catch2/catch.hpp>
 

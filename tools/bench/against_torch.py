@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """The shipped segmentation network on our kernel, PyTorch and, where it is installed, onnxruntime (npm's onnxruntime-node), in turns.
 
 usage: OPENBLAS_NUM_THREADS=1 against_torch.py BENCH SEGMENTER.safetensors [--threads 1] [--rounds 7] [--node MODULES]

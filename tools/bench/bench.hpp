@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Times of whole calls, as medians. Machines are noisy: what is compared is measured in turns within one run.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The geometric graph distance of a drawing-like graph (11 vertices) to the quadruped: the integer program as
 // printed in the thesis, its tightened form, and the branch and bound.
 #include "bench.hpp"

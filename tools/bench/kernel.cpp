@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The network kernel: the plain loops that define a convolution beside the vectorised one on every
 // instruction set.
 #include <cstdio>

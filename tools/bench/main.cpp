@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // make bench: the time of each step on a page, and of the kernels beside their baselines.
 // Usage: bench [PAGE [ROUNDS]]
 //        bench modeling [FOLDER]       strokes to models alone; label maps whose silhouettes are taken

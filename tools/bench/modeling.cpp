@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From strokes to models (Ma et al. 2021, Table 2): the sub-skeletons of fifty silhouettes, one call of each
 // kind on a model of twelve parts, and whole models.
 #include <algorithm>

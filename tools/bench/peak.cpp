@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How many fused multiply-adds a second one thread of this machine can do at most: independent chains in
 // registers, no memory. What the convolution is measured against.
 #include <chrono>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The shipped segmentation network alone, one look and the six of the default, on one thread and two.
 #include "bench.hpp"
 #include "core/resources.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The four 2D skeletons of the same silhouettes, from labels to graph.
 #include <string>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Each step on the characters of a page, one thread; the sum of a character beside the 5.4 s of the thesis
 // (Table 5.1).
 #include <cstdio>

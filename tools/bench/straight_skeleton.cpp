@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Straight skeletons of star-shaped polygons, about half of whose corners are reflex: how the time grows.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Comparison with stored reference results, stage by stage: each stage is fed with the stored output of the
 // stage before it, so that a pixel that differs upstream does not spread. What is stored, and how exactly it
 // should be met, is in the README.md of the reference folder.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Graph distances: the random problems with all three solvers, the figures' skeletons against the references.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // compare_reference REFERENCE DATA: compares every stage with stored reference results and prints a table.
 #include "compare.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // End-effectors of the figures against those of the references, as the thesis maps them. The reference's
 // shape is drawn with discs along its edges; how the stored results drew it is not recorded to the pixel, so
 // costs are met within a few per cent and pairs where no two assignments lie closer than that.

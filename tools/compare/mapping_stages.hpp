@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The first half of rigging: optimal subsequence bijection and end-effector mapping.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Meshes (marching squares with interpolated distance) and weights (Algorithm 4.4) against stored results.
 #include <cmath>
 

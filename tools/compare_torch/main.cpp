@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // compare_torch mask-rcnn|sketch-parse WEIGHTS TRACE [THREADS]: the largest difference of each module's
 // output. Exit code 0 when all agree.
 #include <chrono>

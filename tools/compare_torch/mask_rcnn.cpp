@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Mask R-CNN, each module fed with what PyTorch's module got.
 #include <algorithm>
 #include <cmath>

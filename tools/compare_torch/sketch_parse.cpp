@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // SketchParse, each module fed with what PyTorch's module got.
 #include "segmentation/sketch_parse/model.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "compare_torch/trace.hpp"
 
 #include <algorithm>

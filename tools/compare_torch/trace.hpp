@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Our networks against PyTorch's, module by module. A trace is a safetensors file with the input and output
 // of every module in one pass of PyTorch (tools/compare_torch.py writes it); each of our modules is fed with
 // PyTorch's own input.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From the parts of a figure to lines: placing, hand-drawn outlines, what hides what, ink, labels.
 #include "doodle/canvas.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From a figure to ink on white and its label map.
 #pragma once
 

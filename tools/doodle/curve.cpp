@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "doodle/curve.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Curves that drawings are made of: splines, ellipses, ribbons along a midline, and their resampling.
 // Points are in the figure's own units or in pixels, y down; a closed path does not repeat its first point.
 #pragma once

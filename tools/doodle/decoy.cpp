@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a page may hold besides characters: a head alone, a blob, a scribble.
 #include "core/math.hpp"
 #include "doodle/figure.hpp"

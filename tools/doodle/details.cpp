@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Faces, hair, hats, patterns: what makes a scribbled shape somebody.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "doodle/doodle.hpp"
 
 #include <algorithm>

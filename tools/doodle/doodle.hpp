@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A generator of labelled drawings: characters as people scribble them, with the truth that the pipeline has
 // to find. It makes training data, testdata/ and the pages of the property tests. Everything follows from the
 // seed, to the bit, on any machine.

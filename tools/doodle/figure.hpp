@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is drawn, before it is drawn: the parts of a figure in painter's order, in units of its own.
 #pragma once
 

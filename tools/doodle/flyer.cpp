@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whatever has wings: birds from the side and from above, butterflies, bats, insects, owls, angels, dragons.
 // Units: the trunk is about 50 long, its middle the origin, y down.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // People, and what stands and waves like them: stick people, round bodies, textbook figures, skirts, robots,
 // teddy bears, monkeys, penguins. Units: about 100 from head to foot, x = 0 the middle, y down from the head.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // doodle: writes labelled drawings for training and tests. See --help.
 #include <cstdio>
 #include <filesystem>

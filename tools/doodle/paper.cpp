@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Paper and camera: tint, lines, shadow, vignette, blur, noise.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Four-legged animals from the side (facing right) or half from the front. Units: the trunk is about 60 long,
 // its middle the origin, y down.
 #include <algorithm>

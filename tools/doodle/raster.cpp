@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "doodle/raster.hpp"
 
 #include <algorithm>

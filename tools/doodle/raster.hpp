@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Filling of polygons and antialiased lines, our own.
 #pragma once
 

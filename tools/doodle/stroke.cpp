@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How a line gets onto the paper: wobble, overshoot, gaps, pressure, grain.
 #include <algorithm>
 #include <cmath>

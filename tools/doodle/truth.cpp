@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The true silhouette: one piece, closed and filled, every pixel with a part.
 #include <algorithm>
 #include <cstdlib>

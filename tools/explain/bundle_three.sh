@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Makes src/explain/assets/three.min.js: what the walkthrough's viewer needs of three.js (MIT), as one script that defines THREE.
 # Needs node and npm; run it to take another version of three.js.
 set -eu

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Skin weights and the animated model (thesis 4.6, Algorithm 4.4 and Fig. 4.19).
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From the page to the parts of its characters (thesis 4.2, 4.3), and their borders (4.4).
 #include <algorithm>
 #include <cmath>

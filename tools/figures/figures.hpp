@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The figures, one function for each, in groups of one file each. Names and contents: docs/figures/README.md.
 #pragma once
 

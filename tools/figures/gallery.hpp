@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The drawings of testdata/ and what each step made of them, computed once when it is first asked for.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The skeleton graph and the two heuristics that simplify it (thesis 4.4), with the preset "thesis".
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The reference skeletons and the distance to them (thesis 4.5).
 #include <algorithm>
 

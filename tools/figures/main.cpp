@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // make figures, make results: the figures of docs/figures from testdata/, and docs/results.md.
 // Usage: figures FOLDER [TESTDATA]                              writes all figures
 //        figures review PICTURES FOLDER                         what became of every drawing, to judge by eye

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From path distances to the mapping of end-effectors (thesis 4.6, Eq. 4.11 to 4.14, Fig. 4.16).
 #include <algorithm>
 #include <cmath>

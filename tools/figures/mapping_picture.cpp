@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "figures/mapping_picture.hpp"
 
 #include <algorithm>

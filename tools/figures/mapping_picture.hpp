@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The reference and the character side by side with their end-effectors joined: Fig. 4.16, and a part of
 // Fig. 4.1.
 #pragma once

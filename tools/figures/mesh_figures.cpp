@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Marching squares and the mesh of Voronoi regions (thesis 4.6, Fig. 4.17 and 4.18).
 #include <algorithm>
 #include <bit>

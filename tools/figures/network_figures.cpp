@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Convolution and max pooling, computed by the layers that the networks are made of (thesis 3.1).
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The colours of all figures. Parts have those of `pantin explain`, which are the thesis's (Fig. 4.13).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "figures/panel.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A part of a figure that shows something in coordinates of its own, mostly working pixels.
 #pragma once
 

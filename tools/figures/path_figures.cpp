@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Skeleton paths, the discs along them and what two paths differ by (thesis 4.6, Eq. 4.8 and 4.9).
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The whole way at a glance, and what goes in (thesis 4.1).
 #include <algorithm>
 #include <cmath>

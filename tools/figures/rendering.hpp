@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pictures of a rigged character from our rasteriser.
 #pragma once
 

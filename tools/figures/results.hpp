@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // docs/results.md: the counterparts of table 5.1 (times) and tables 6.1 to 6.3 (success of each step) of the
 // thesis.
 #pragma once

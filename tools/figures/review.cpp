@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "figures/review.hpp"
 
 #include <algorithm>

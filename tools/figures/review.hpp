@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pictures to judge by eye what became of a drawing: docs/verdicts.csv.
 #pragma once
 

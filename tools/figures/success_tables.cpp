@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which step succeeds on which drawing (thesis, tables 6.1 to 6.3).
 #include <algorithm>
 #include <array>

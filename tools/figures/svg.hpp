@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A small SVG writer: shapes in the figure's own units (CSS pixels, y down), on a white background so that a
 // figure reads the same in dark mode. Numbers have two decimals at most.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Zhang and Suen's thinning: the neighbourhood, its conditions, its sub-iterations (thesis 4.4,
 // Algorithm 4.1).
 #include <algorithm>

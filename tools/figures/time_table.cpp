@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How long each step takes on single characters (thesis, table 5.1).
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Judgements that need a person's eye, kept in a CSV file: date,drawing,step,verdict,remark.
 #pragma once
 

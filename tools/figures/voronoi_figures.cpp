@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Voronoi diagrams and the residual that prunes them (thesis 3.4).
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // evaluate_identification [--references DIR] FOLDER...: steps 3 and 4 on the label maps FOLDER/label/<id>.png
 // listed in FOLDER/index.csv (columns id, class, type; quality when there is one), and the end-effector
 // mapping of what was found. Prints one line of tab-separated values per drawing, with a header line: what

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """Fits the constants of src/identification/evidence.cpp and judges them by five folds.
 
 usage: fit_evidence.py TABLE.tsv... [--ridge R] [--wrong] [--judge OTHER.tsv]

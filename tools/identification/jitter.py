@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """How much identification depends on the exact coordinates of the references.
 
 usage: jitter.py BINARY DRAWS FOLDER... (as for evaluate_identification)

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """How often the end-effectors of a drawing meet the right end of the reference (check_set.tsv, judged by eye).
 
 usage: evaluate.py [--pantin BINARY] [--preset default|thesis] [--keep FOLDER] --label-maps FOLDER --strokes FOLDER

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far clips stretch and crush the mesh, and how far feet slide: for each character folder and clip, over
 // all key poses, the largest stretch of an edge (length / length at rest), the 99th percentile of the edges'
 // largest stretches, and the smallest area of a triangle over its area at rest, all in 3D (a limb that turns

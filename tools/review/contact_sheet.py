@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Contact sheet of whole runs: one row for each character of the given pictures.
 
 usage: contact_sheet.py --pantin BINARY --out SHEET.png [--frames N] [--cell PX] [--preset NAME] IMAGE...

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """README's picture: the five steps on one drawing, from a character folder with PNG frames.
 
 usage: steps_picture.py CHARACTER_DIR OUT.png [--cell PX] [--frame K]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A compact Mask R-CNN: torchvision's modules on a small residual network. Module names are those of torchvision's state dictionary,
 so src/detection/mask_rcnn reads it as it reads the full-size network."""
 import collections

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """Training data: precomputed shards of (darkness, labels) pairs, and the augmentation that the training loop adds.
 
 usage: dataset.py DATA OUT --source {label_maps,strokes,spg,doodle} [--rounds N] [--seed S]

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """Mean IoU over the parts present, on held-out drawings (fold 0) made and labelled by the two shared scripts.
 
 usage: evaluate.py DATA (--model CHECKPOINT_OR_SAFETENSORS [--raw] | --pantin BINARY) [--fold 0] [--erase 0.0]

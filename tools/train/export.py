@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """Writes a checkpoint as safetensors: export.py CHECKPOINT OUT.safetensors [--type F16|F32] [--raw]
 (the moving average of the weights; --raw: the last weights), or a small fixture with random weights for the tests of the C++ side:
 export.py --fixture OUT_WEIGHTS OUT_EXPECTED."""

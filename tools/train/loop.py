@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The training loop of both networks: AdamW within a given time, moving average of the weights, resumable checkpoints."""
 import argparse
 import copy

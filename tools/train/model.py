@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """The segmentation network: shared stem, router, one expert decoder per kind of character, pose head.
 
 Two levels as in SketchParse (Sarvadevabhatla et al. 2017): a router chooses the expert whose decoder labels the parts. The

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """Pages of several characters for the detector, composed from the shards of dataset.py: random place, size and rotation, never overlapping,
 with stray marks, ruled lines and the look of a photograph at times.
 

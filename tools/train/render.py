@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """From a part label map to a drawing as a hand might have made it: many pens, open outlines, borders drawn only sometimes,
 inner marks, light fills. The result is darkness (0 paper, 255 ink)."""
 import cv2

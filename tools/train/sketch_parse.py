@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """SketchParse (Sarvadevabhatla et al. 2017) in today's PyTorch, with the parameter names of its authors' state dictionary, and a router:
 a linear layer on the mean of the first scale's shared features. For comparisons; the network that is shipped is model.py."""
 import torch

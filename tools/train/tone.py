@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Picture to ink darkness in [0, 1], the same steps as ink_darkness() of src/image/tone.cpp: local paper brightness from block
 percentiles, closing over filled areas, darkness relative to the paper and to the darkest strokes."""
 import numpy as np

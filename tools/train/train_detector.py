@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: MIT
 """Trains the compact Mask R-CNN (backbones.py) on composed pages (pages.py), on the processor, within a given time.
 
 usage: train_detector.py SHARDS OUT --minutes M [--resume CHECKPOINT] [--rate 1e-3] [--batch 6] [--seed 1]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """One frame of a clip as Blender shows it, by its Cycles renderer, which needs no display.
 
 usage: blender --background --factory-startup --python-exit-code 1 --python blender.py -- \

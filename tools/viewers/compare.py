@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """character.glb in other programs beside Pantin's own frame: differences, and a picture ours | three.js | Blender.
 
 usage: compare.py CHARACTER_DIR [CLIP] [--out PICTURE.png]

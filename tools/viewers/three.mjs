@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One frame of a clip as three.js shows it, in headless Chromium with software GL.
 // usage: node three.mjs GLB CLIP SECONDS X0 Y0 X1 Y1 WIDTH HEIGHT OUT.png
 // The rectangle of the plane z = 0 from (X0, Y0) to (X1, Y1), world units, fills the picture; the background is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Looks at a page of `pantin explain` in headless Chromium, from the file system, without a network: nothing is asked for, nothing fails, every
 // chapter's picture can be seen, sliders, clicks and keys do what the chapters say; in light and dark, on a desk and on a phone, with
 // and without scripts. Prints a line a check; exit code 1 when one fails.

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Explains three pages and looks at the results in headless Chromium (check_page.mjs). Usage: tools/web/check_page.sh PANTIN FOLDER
 # Needs node, npm and chromium; playwright-core is installed once, into node_modules.
 set -eu

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Residual network and feature pyramid.
 #include "detection/mask_rcnn/model.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Boxes and their displacements.
 #include <algorithm>
 

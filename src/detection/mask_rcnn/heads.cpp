@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The heads on regions: what is in a box, where the box is exactly, and which of its pixels belong to it.
 #include <algorithm>
 #include <cmath>

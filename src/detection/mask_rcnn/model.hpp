@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Mask R-CNN (He et al. 2017) with a ResNet and a feature pyramid (Lin et al. 2017), as torchvision 0.14's
 // `maskrcnn_resnet50_fpn` computes it; thesis 4.2 and ch. 5 use that network with two classes. One struct per
 // module; widths and depths are those of the weight file, so a compact network is the same code.

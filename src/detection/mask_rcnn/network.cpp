@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The whole network: page to detections.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The region proposal network (Ren et al. 2015): where there may be something.
 #include <algorithm>
 #include <cmath>

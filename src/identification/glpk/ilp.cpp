@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The labelled geometric graph distance as the integer linear program of the thesis (Eq. 4.3–4.7), solved by
 // GLPK.
 //

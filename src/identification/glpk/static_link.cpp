@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // In a static program (`make STATIC=1`) nothing can be loaded at run time. GLPK would load database drivers
 // for its modelling language, which Pantin does not use; these take the place of libltdl's functions and say
 // that there are none.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The union of solids by CGAL's polygon mesh processing (Loriot, Rouxel-Labbé, Tournois, Yaz:
 // corefine_and_compute_union), to compare unite() with.
 //

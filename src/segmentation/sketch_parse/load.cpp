@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From the authors' state dictionary to the modules: Scale<n>.conv1, bn1, layer1 … layer4,
 // layer4_5_r<expert>, layer5_r<expert>.conv2d_list.<i>, pose_r<expert>.PoseC1.<0|2|4>,
 // pose_r<expert>.PoseC2.0; our addition: router.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "segmentation/sketch_parse/model.hpp"
 
 #include <algorithm>

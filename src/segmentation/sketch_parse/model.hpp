@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // SketchParse (Sarvadevabhatla et al. 2017; thesis 4.3, Fig. 4.8) as its authors built it: a dilated
 // ResNet-101 (DeepLab, Chen et al. 2018) whose last bottleneck and classifiers belong to an expert, at three
 // scales with weights of their own, and a pose head on the fused scores. Tensor names are those of the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the widgets share. A widget makes one chapter answer; without it the chapter stays as it is.
 const widgets = {};
 

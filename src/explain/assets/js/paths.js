@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Look into a cell of the similarity table, and from there at two paths.
 widgets.paths = (chapter, data) => {
     if (!data) return;

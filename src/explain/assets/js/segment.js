@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Probabilities of the pixel that is pointed at: each map keeps them in its opacity.
 widgets.segment = async chapter => {
     const figures = [...chapter.querySelectorAll(".maps figure")];

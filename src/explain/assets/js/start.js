@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A chapter begins to answer when it comes near the window.
 const near = new IntersectionObserver(entries => {
     for (const entry of entries) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Thinning, one frame a sub-iteration, and the judgement of one pixel.
 widgets.thinning = async (chapter, data) => {
     const controls = show_controls(chapter), choice = controls.querySelector("select"), slider = controls.querySelector("input");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The glTF file of the run, playing: from the front, or turning in space. It runs while it can be seen.
 const play_glb = (chapter, data) => {
     if (!data) return;

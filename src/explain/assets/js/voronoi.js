@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The threshold prunes the fences while it is moved.
 widgets.voronoi = (chapter, data) => {
     const controls = show_controls(chapter), slider = controls.querySelector("input"), output = controls.querySelector("output");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The weights of one bone as heat, or all bones mixed.
 widgets.weights = (chapter, data) => {
     const select = show_controls(chapter).querySelector("select"), faces = [...chapter.querySelectorAll(".faces path")], mixed = faces.map(face => face.getAttribute("fill"));
