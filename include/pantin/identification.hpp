@@ -3,97 +3,16 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
-#include <map>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "pantin/label.hpp"
 #include "pantin/point.hpp"
+#include "pantin/reference.hpp"
 #include "pantin/skeletonization.hpp"
 
 namespace pantin {
-
-// --- reference skeletons (docs/identification.md, "A reference file")
-// -------------------------------------------------
-
-struct ReferenceNode {
-    std::string name; // "head", "chest", "hand_left", …
-    Label label = Label::body;
-    double x = 0, y = 0; // [0, 1], y down
-    double r = 0; // radius of the shape at the node (the shape: nodes and edges drawn with their radii)
-};
-// One joint of the animation hierarchy: turns about `node`'s inner end.
-struct ReferenceJoint {
-    std::string name; // glTF/VRM-like: "hips", "chest", "head", "leg_front_left", …
-    int parent = -1;  // index of the parent joint, −1 for the root; parents come first
-    int node = -1;    // the reference node that the joint moves (end-effector or body node)
-};
-// A periodic rotation of one joint about one axis: angle(t) = offset + amplitude · sin(2π (cycles ·
-// t/duration + phase)).
-struct ReferenceTrack {
-    int joint = 0;
-    // Fixed axes of the drawing: "x", "y", "z" (z: in the plane, counter-clockwise seen from the front).
-    // Axes of the bone at rest: "lift" (in the plane, positive raises the bone's tip: a left wing and a right
-    // wing go up together), "flap" (out of the plane, positive moves the tip towards the viewer), "twist"
-    // (about itself). "tx", "ty": translation of the root joint as a share of the character's height.
-    std::string axis;
-    int segment = 0; // along a limb's chain of bones: 0 the innermost
-    double amplitude =
-        0; // degrees (share of the height for translations; of the leg's length for half a step's way)
-    double phase = 0; // in cycles
-    double offset = 0;
-    int cycles = 1; // whole cycles per clip, so that it loops
-    // Of a "step", whose phase counts from the foot's contact:
-    double lift = 0;   // share of the leg's length by which the foot is lifted
-    double duty = 0.6; // share of the cycle that the foot spends on the ground
-    int bend =
-        1; // of "step" and "plant": 1 the knee bends forwards (to the left, unless mirrored), −1 backwards
-};
-struct ReferenceClip {
-    std::string name;    // "walk", "fly", "idle"
-    double duration = 1; // seconds
-    std::vector<ReferenceTrack> tracks;
-};
-// A condition on the drawing: a trait of docs/identification.md, or "limb_ends" or "wing_ends" (numbers of
-// such end-effectors), lies between `low` and `high`.
-struct ReferenceNeed {
-    std::string quantity;
-    double low = 0, high = 0;
-};
-struct ReferenceSkeleton {
-    std::string name;
-    // The reference whose evidence this one shares, or "any": that of the best. "" for one that stands on its
-    // own.
-    std::string like;
-    // Where all hold, the reference is chosen before the one that it is like; where one does not, it is no
-    // candidate.
-    std::vector<ReferenceNeed> needs;
-    std::vector<ReferenceNode> nodes;
-    std::vector<std::pair<int, int>> edges;
-    std::vector<ReferenceJoint> joints;
-    std::vector<ReferenceClip> clips; // the first one is the default
-};
-
-// Has arms and legs: joints arm_left, arm_right, leg_left and leg_right. Recorded motions and VRM names are
-// for these.
-bool is_humanoid(const ReferenceSkeleton& reference);
-
-ReferenceSkeleton parse_reference(std::span<const unsigned char> json, const std::string& source);
-// Error(input) names `source`, the place and the fact.
-// The compiled-in references (order: humanoid, quadruped, flying, bird, insect, fish, bust);
-// those of `directory`, when not empty,
-// replace the ones of their name or are added. Error(input) names the file.
-std::vector<ReferenceSkeleton> load_references(const std::filesystem::path& directory = {});
-
-// A reference between two. Ends of one label and nearest place are one; what `second` has more of a label is
-// added to `first` (a quadruped gets wings, a bird gets two more legs), with its joint. Each clip of `first`
-// is mixed with the second's clip of that name, or its first one: parts of which one reference has more move
-// as that one says, the others by `share` as the first and by 1 − `share` as the second says. Name, like,
-// needs and the first nodes are the first's.
-ReferenceSkeleton blend(const ReferenceSkeleton& first, const ReferenceSkeleton& second, double share);
 
 // --- geometric graph distance (Cheong et al. 2009, thesis Eq. 4.3–4.7) -------------------------------------
 

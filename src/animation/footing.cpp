@@ -7,7 +7,7 @@
 
 #include "core/math.hpp"
 #include "core/smoothstep.hpp"
-#include "identification/tracks.hpp"
+#include "reference/tracks.hpp"
 
 namespace pantin {
 namespace {
@@ -88,7 +88,8 @@ int foot_vertex(const Rig& rig, int bone) {
 Footing::Footing(const Rig& rig, const ReferenceClip& clip, const std::vector<double>& shift) : rig_(rig) {
     for (std::size_t b = 1; b < rig.bones.size(); ++b)
         for (const ReferenceTrack& track : clip.tracks)
-            if (on_ground(track) && rig.bones[b].segment == 0 && rig.bones[b].reference_joint == track.joint)
+            if (on_ground(track.kind) && rig.bones[b].segment == 0 &&
+                rig.bones[b].reference_joint == track.joint)
                 legs_.push_back(leg_at(rig, static_cast<int>(b), track, shift[b]));
     share_stride(clip.duration);
 }

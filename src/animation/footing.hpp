@@ -42,7 +42,7 @@ private:
         double lift = 0;
         double phase = 0;
         const ReferenceTrack* track = nullptr;
-        bool plants() const { return track->axis == "plant"; }
+        bool plants() const { return track->kind == TrackKind::plant; }
         double reach() const { return thigh + shin; }
     };
     struct Joint { // of a bone in the plane

@@ -47,8 +47,23 @@ public:
         double z = 0;
         for (const ReferenceTrack& track : clip_.tracks) {
             if (track.joint != b.reference_joint || track.segment != b.segment) continue;
-            if (track.axis == "z") z += side * value(track, bone, cycle);
-            if (track.axis == "lift") z += outwards * value(track, bone, cycle);
+            switch (track.kind) {
+            case TrackKind::z:
+                z += side * value(track, bone, cycle);
+                break;
+            case TrackKind::lift:
+                z += outwards * value(track, bone, cycle);
+                break;
+            case TrackKind::x:
+            case TrackKind::y:
+            case TrackKind::flap:
+            case TrackKind::twist: // rotation()
+            case TrackKind::tx:
+            case TrackKind::ty: // translation()
+            case TrackKind::step:
+            case TrackKind::plant:
+                break; // Footing
+            }
         }
         return z * b.freedom * (math::pi / 180);
     }
@@ -61,10 +76,27 @@ public:
         for (const ReferenceTrack& track : clip_.tracks) {
             if (track.joint != b.reference_joint || track.segment != b.segment) continue;
             const double angle = b.freedom * value(track, bone, cycle) * (math::pi / 180);
-            if (track.axis == "x") x += angle;
-            if (track.axis == "y") y += side * angle;
-            if (track.axis == "flap") flap += angle;
-            if (track.axis == "twist") twist += angle;
+            switch (track.kind) {
+            case TrackKind::x:
+                x += angle;
+                break;
+            case TrackKind::y:
+                y += side * angle;
+                break;
+            case TrackKind::flap:
+                flap += angle;
+                break;
+            case TrackKind::twist:
+                twist += angle;
+                break;
+            case TrackKind::z:
+            case TrackKind::lift: // plane_turn()
+            case TrackKind::tx:
+            case TrackKind::ty: // translation()
+            case TrackKind::step:
+            case TrackKind::plant:
+                break; // Footing
+            }
         }
         return normalised(about({0, 0, 1}, plane_turn) * about({d.y, -d.x, 0}, flap) *
                           about({d.x, d.y, 0}, twist) * about({0, 1, 0}, y) * about({1, 0, 0}, x));
@@ -77,8 +109,8 @@ public:
         const double side = rig_.bones[0].mirrored ? -1 : 1;
         for (const ReferenceTrack& track : clip_.tracks) {
             if (track.joint != rig_.bones[0].reference_joint) continue;
-            if (track.axis == "tx") t.x += side * value(track, 0, cycle);
-            if (track.axis == "ty") t.y += value(track, 0, cycle);
+            if (track.kind == TrackKind::tx) t.x += side * value(track, 0, cycle);
+            if (track.kind == TrackKind::ty) t.y += value(track, 0, cycle);
         }
         return t;
     }

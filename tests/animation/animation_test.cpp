@@ -138,7 +138,7 @@ TEST_CASE(
     const int head = bone_named(rig, "head"), tail = bone_named(rig, "tail");
     std::vector<ReferenceTrack> tracks;
     for (const char* joint : {"head", "tail"})
-        tracks.push_back({joint_named(c.reference, joint), "lift", 0, 0, 0, 30, 1});
+        tracks.push_back({joint_named(c.reference, joint), TrackKind::lift, 0, 0, 0, 30, 1});
     const auto tip = [&](const BoneAnimation& animation, int bone) {
         const Bone& b = rig.bones[bone];
         const Vec3 from = to_world(b.head, rig.width, rig.height),
@@ -150,11 +150,11 @@ TEST_CASE(
     CHECK(tip(animation, head).y > 0.01);
     CHECK(tip(animation, tail).x > 0);
     CHECK(tip(animation, tail).y > 0.01);
-    for (ReferenceTrack& track : tracks) track.axis = "flap";
+    for (ReferenceTrack& track : tracks) track.kind = TrackKind::flap;
     animation = retarget(rig, c.reference, clip_with(tracks));
     CHECK(tip(animation, head).z > 0.01);
     CHECK(tip(animation, tail).z > 0.01);
-    for (ReferenceTrack& track : tracks) track.axis = "z";
+    for (ReferenceTrack& track : tracks) track.kind = TrackKind::z;
     animation = retarget(rig, c.reference, clip_with(tracks));
     CHECK(tip(animation, tail).y > 0.01);
     for (Bone& bone : rig.bones) bone.mirrored = true;
@@ -166,8 +166,8 @@ TEST_CASE(
 static ReferenceClip swinging_legs(const ReferenceSkeleton& reference) {
     std::vector<ReferenceTrack> tracks;
     for (const char* leg : {"leg_front_left", "leg_front_right", "leg_hind_left", "leg_hind_right"})
-        tracks.push_back(
-            {joint_named(reference, leg), "z", 0, 20, 0.25 * static_cast<double>(tracks.size()), 0, 1});
+        tracks.push_back({joint_named(reference, leg), TrackKind::z, 0, 20,
+                          0.25 * static_cast<double>(tracks.size()), 0, 1});
     return clip_with(tracks);
 }
 

@@ -21,11 +21,11 @@ int joint_named(const ReferenceSkeleton& reference, const std::string& name) {
     return -1;
 }
 
-ReferenceTrack track_of(const ReferenceSkeleton& reference, const std::string& joint, const std::string& axis,
+ReferenceTrack track_of(const ReferenceSkeleton& reference, const std::string& joint, TrackKind kind,
                         double amplitude) {
     ReferenceTrack track;
     track.joint = joint_named(reference, joint);
-    track.axis = axis;
+    track.kind = kind;
     track.amplitude = amplitude;
     return track;
 }
@@ -34,7 +34,7 @@ ReferenceTrack track_of(const ReferenceSkeleton& reference, const std::string& j
 ReferenceClip stepping(const ReferenceSkeleton& reference, double amplitude, double duty) {
     ReferenceClip clip{"steps", 2, {}};
     for (const char* leg : legs) {
-        ReferenceTrack track = track_of(reference, leg, "step", amplitude);
+        ReferenceTrack track = track_of(reference, leg, TrackKind::step, amplitude);
         track.phase = 0.25 * static_cast<double>(clip.tracks.size());
         track.lift = 0.15;
         track.duty = duty;
@@ -61,7 +61,7 @@ void check_steps(const Rig& rig, const ReferenceClip& clip, double tolerance) {
     const BoneAnimation animation = retarget(rig, c.reference, clip, 64);
     REQUIRE(animation.ground_speed > 0); // the table faces left, so the ground goes to the right
     for (const ReferenceTrack& track : clip.tracks) {
-        if (track.axis != "step") continue;
+        if (track.kind != TrackKind::step) continue;
         const std::string leg = c.reference.joints[track.joint].name;
         const std::vector<Vec3> ways = ways_of_sole(rig, animation, leg);
         double ground = ways[0].y;
@@ -122,8 +122,8 @@ TEST_CASE("planted feet stay where they are while the body sways, and leave the 
     const Character c = table();
     const Rig rig = rig_of(c);
     ReferenceClip clip{"sway", 1, {}};
-    for (const char* leg : legs) clip.tracks.push_back(track_of(c.reference, leg, "plant", 0));
-    ReferenceTrack bob = track_of(c.reference, "hips", "ty", 0.02);
+    for (const char* leg : legs) clip.tracks.push_back(track_of(c.reference, leg, TrackKind::plant, 0));
+    ReferenceTrack bob = track_of(c.reference, "hips", TrackKind::ty, 0.02);
     bob.offset = -0.03; // every hip stays below its place at rest
     clip.tracks.push_back(bob);
     clip.tracks.push_back(track_of(c.reference, "hips", "z", 1));

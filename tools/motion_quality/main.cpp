@@ -17,9 +17,9 @@
 
 #include "animation/footing.hpp"
 #include "animation/vector.hpp"
-#include "identification/tracks.hpp"
 #include "pipeline/character.hpp"
 #include "pipeline/clips.hpp"
+#include "reference/tracks.hpp"
 
 using namespace pantin;
 
@@ -73,7 +73,7 @@ std::vector<int> feet_of(const Rig& rig, const ReferenceClip& clip) {
     for (std::size_t b = 1; b < rig.bones.size(); ++b) {
         const bool last = b + 1 == rig.bones.size() || rig.bones[b + 1].segment == 0;
         const bool steps = std::any_of(clip.tracks.begin(), clip.tracks.end(), [&](const ReferenceTrack& t) {
-            return on_ground(t) && t.joint == rig.bones[b].reference_joint;
+            return on_ground(t.kind) && t.joint == rig.bones[b].reference_joint;
         });
         const int foot = last && steps ? foot_vertex(rig, static_cast<int>(b)) : -1;
         if (foot >= 0) feet.push_back(foot);

@@ -6,17 +6,16 @@
 // is strict: a missing key, an unknown key, a value of the wrong type or out of range, a name that nothing
 // bears is an Error(input) of one line that names the file, the place and the fact.
 #include <algorithm>
-#include <set>
 
 #include "core/file.hpp"
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
 #include "core/resources.hpp"
-#include "identification/named.hpp"
-#include "identification/tracks.hpp"
-#include "identification/traits.hpp"
 #include "pantin/error.hpp"
-#include "pantin/identification.hpp"
+#include "pantin/reference.hpp"
+#include "reference/named.hpp"
+#include "reference/quantities.hpp"
+#include "reference/tracks.hpp"
 
 namespace pantin {
 namespace {
@@ -97,17 +96,20 @@ ReferenceJoint read_joint(const JsonReader& reader, const ReferenceSkeleton& ske
     return joint;
 }
 
+TrackKind read_kind(const JsonReader& reader) {
+    const auto found = std::find(track_kind_names.begin(), track_kind_names.end(), read_name(reader));
+    if (found == track_kind_names.end())
+        reader.fail("must be x, y, z, lift, flap, twist, tx, ty, step or plant");
+    return static_cast<TrackKind>(found - track_kind_names.begin());
+}
+
 ReferenceTrack read_track(const JsonReader& reader, const ReferenceSkeleton& skeleton) {
     expect_keys(reader, {"joint", "axis", "segment", "amplitude", "phase", "offset", "cycles", "lift", "duty",
                          "bend"});
     ReferenceTrack track;
     track.joint = find_named(reader.at("joint"), skeleton.joints, "joint");
-    track.axis = read_name(reader.at("axis"));
-    static constexpr std::array<std::string_view, 10> axes = {"x",     "y",  "z",  "lift", "flap",
-                                                              "twist", "tx", "ty", "step", "plant"};
-    if (std::find(axes.begin(), axes.end(), track.axis) == axes.end())
-        reader.at("axis").fail("must be x, y, z, lift, flap, twist, tx, ty, step or plant");
-    const bool steps = track.axis == "step", grounded = on_ground(track);
+    track.kind = read_kind(reader.at("axis"));
+    const bool steps = track.kind == TrackKind::step, grounded = on_ground(track.kind);
     for (const char* key : {"lift", "duty"})
         if (reader.has(key) && !steps) reader.at(key).fail("belongs to the axis step");
     if (reader.has("bend") && !grounded) reader.at("bend").fail("belongs to the axes step and plant");
@@ -159,9 +161,10 @@ std::vector<ReferenceNeed> read_needs(const JsonReader& reader) {
 }
 
 ReferenceSkeleton read_skeleton(const JsonReader& reader) {
-    expect_keys(reader, {"name", "like", "needs", "nodes", "edges", "joints", "clips"});
+    expect_keys(reader, {"name", "order", "like", "needs", "nodes", "edges", "joints", "clips"});
     ReferenceSkeleton skeleton;
     skeleton.name = read_name(reader.at("name"));
+    if (reader.has("order")) skeleton.order = read_integer(reader.at("order"), 0, 1'000'000);
     if (reader.has("like")) skeleton.like = read_name(reader.at("like"));
     if (reader.has("needs")) {
         if (skeleton.like.empty()) reader.at("needs").fail("a reference with needs is \"like\" another");
@@ -180,7 +183,21 @@ ReferenceSkeleton read_skeleton(const JsonReader& reader) {
     return skeleton;
 }
 
-// The *.json files of the directory in the order of their names.
+std::vector<ReferenceSkeleton> by_order(std::vector<ReferenceSkeleton> references) {
+    std::stable_sort(references.begin(), references.end(), [](const auto& a, const auto& b) {
+        return std::pair(a.order, a.name) < std::pair(b.order, b.name);
+    });
+    return references;
+}
+
+std::vector<ReferenceSkeleton> compiled_in() {
+    std::vector<ReferenceSkeleton> all;
+    for (const Resource& resource : resources())
+        if (resource.name.starts_with("references/"))
+            all.push_back(parse_reference(resource.bytes, std::string(resource.name)));
+    return by_order(std::move(all));
+}
+
 std::vector<std::filesystem::path> reference_files(const std::filesystem::path& directory) {
     std::error_code error;
     std::filesystem::directory_iterator entries(directory, error);
@@ -189,8 +206,20 @@ std::vector<std::filesystem::path> reference_files(const std::filesystem::path& 
     for (const auto& entry : entries)
         if (entry.path().extension() == ".json") files.push_back(entry.path());
     if (files.empty()) throw Error(ErrorKind::input, directory.string() + ": holds no reference (*.json)");
-    std::sort(files.begin(), files.end());
+    std::sort(files.begin(), files.end()); // so that the same file is named in a message every time
     return files;
+}
+
+std::vector<ReferenceSkeleton> in_folder(const std::filesystem::path& directory) {
+    std::vector<ReferenceSkeleton> all;
+    for (const std::filesystem::path& file : reference_files(directory)) {
+        ReferenceSkeleton skeleton = parse_reference(read_file(file, max_file_bytes), file.string());
+        if (index_of(all, skeleton.name) >= 0)
+            throw Error(ErrorKind::input,
+                        file.string() + ": a second reference named '" + skeleton.name + "'");
+        all.push_back(std::move(skeleton));
+    }
+    return by_order(std::move(all));
 }
 
 } // namespace
@@ -206,18 +235,9 @@ ReferenceSkeleton parse_reference(std::span<const unsigned char> bytes, const st
 }
 
 std::vector<ReferenceSkeleton> load_references(const std::filesystem::path& directory) {
-    std::vector<ReferenceSkeleton> all;
-    for (const char* name : {"humanoid", "quadruped", "flying", "bird", "insect", "fish", "bust"}) {
-        const std::string path = std::string("references/") + name + ".json";
-        all.push_back(parse_reference(find_resource(path), path));
-    }
+    std::vector<ReferenceSkeleton> all = compiled_in();
     if (directory.empty()) return all;
-    std::set<std::string> seen;
-    for (const std::filesystem::path& file : reference_files(directory)) {
-        ReferenceSkeleton skeleton = parse_reference(read_file(file, max_file_bytes), file.string());
-        if (!seen.insert(skeleton.name).second)
-            throw Error(ErrorKind::input,
-                        file.string() + ": a second reference named '" + skeleton.name + "'");
+    for (ReferenceSkeleton& skeleton : in_folder(directory)) {
         const int known = index_of(all, skeleton.name);
         if (known >= 0)
             all[known] = std::move(skeleton);
@@ -225,6 +245,16 @@ std::vector<ReferenceSkeleton> load_references(const std::filesystem::path& dire
             all.push_back(std::move(skeleton));
     }
     return all;
+}
+
+const ReferenceSkeleton& find_reference(const std::vector<ReferenceSkeleton>& references,
+                                        const std::string& name) {
+    std::string names;
+    for (const ReferenceSkeleton& reference : references) {
+        if (reference.name == name) return reference;
+        names += (names.empty() ? "" : ", ") + reference.name;
+    }
+    throw Error(ErrorKind::input, "there is no reference '" + name + "' (" + names + ")");
 }
 
 } // namespace pantin

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "pantin/error.hpp"
-#include "pantin/identification.hpp"
+#include "pantin/reference.hpp"
 
 using namespace pantin;
 using Catch::Matchers::Contains;
@@ -106,7 +106,7 @@ TEST_CASE("a reference is read as written") {
     REQUIRE(skeleton.clips.size() == 1);
     const ReferenceTrack& track = skeleton.clips[0].tracks.at(0);
     CHECK(track.joint == 1);
-    CHECK(track.axis == "z");
+    CHECK(track.kind == TrackKind::z);
     CHECK(track.amplitude == 10);
     CHECK(track.phase == 0.25);
     CHECK(track.cycles == 2);

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "identification/named.hpp"
-#include "identification/tracks.hpp"
-#include "pantin/identification.hpp"
+#include "pantin/reference.hpp"
+#include "reference/named.hpp"
+#include "reference/tracks.hpp"
 
 namespace pantin {
 namespace {
@@ -117,16 +117,16 @@ private:
         std::erase_if(clip.tracks,
                       [&](const ReferenceTrack& t) { return owner_of(first_, t.joint) == Owner::second; });
         for (ReferenceTrack& track : clip.tracks)
-            if (owner_of(first_, track.joint) == Owner::both && !on_ground(track)) scale(track, share_);
+            if (owner_of(first_, track.joint) == Owner::both && !on_ground(track.kind)) scale(track, share_);
         const int times = std::max(1, static_cast<int>(std::rint(clip.duration / partner->duration)));
         for (ReferenceTrack track : partner->tracks) {
             const Owner owner = owner_of(second_, track.joint);
             if (joint_[track.joint] < 0 || owner == Owner::first ||
-                (owner == Owner::both && on_ground(track)))
+                (owner == Owner::both && on_ground(track.kind)))
                 continue;
             if (owner == Owner::both) scale(track, 1 - share_);
             track.joint = joint_[track.joint];
-            if (!on_ground(track)) track.cycles *= times;
+            if (!on_ground(track.kind)) track.cycles *= times;
             clip.tracks.push_back(track);
         }
     }

@@ -2,11 +2,11 @@
 // Kinds of tracks of a clip.
 #pragma once
 
-#include "pantin/identification.hpp"
+#include "pantin/reference.hpp"
 
 namespace pantin {
 
 // The foot of the track's leg keeps the ground.
-inline bool on_ground(const ReferenceTrack& track) { return track.axis == "step" || track.axis == "plant"; }
+constexpr bool on_ground(TrackKind kind) { return kind == TrackKind::step || kind == TrackKind::plant; }
 
 } // namespace pantin
