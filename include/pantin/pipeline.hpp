@@ -19,6 +19,7 @@
 #include "pantin/error.hpp"
 #include "pantin/identification.hpp"
 #include "pantin/model.hpp"
+#include "pantin/page.hpp"
 #include "pantin/rigging.hpp"
 #include "pantin/segmentation.hpp"
 #include "pantin/skeletonization.hpp"
@@ -67,7 +68,7 @@ struct RenderRequest {
 
 // Results of steps that the user gives; `animate` then skips those steps. Pictures have the page's size
 // (before `rotate`).
-struct Given {
+struct Overrides {
     std::filesystem::path mask; // grey PNG, the one character is where it is at least 128
     std::filesystem::path
         labels; // grey PNG of label values 0 to 5; without a mask the character is where they are not 0
@@ -76,7 +77,7 @@ struct Given {
 
 struct Settings {
     Options options;
-    Given given;
+    Overrides overrides;
     std::filesystem::path weights;    // folder of segmenter.safetensors; empty: compiled in
     std::filesystem::path references; // folder of more reference skeletons; empty: none
     std::filesystem::path mapping; // rig_folder: pairs as in mapping.json instead of matching; empty: match
@@ -112,26 +113,6 @@ private:
     std::optional<CharacterFinder> finder_;
     std::optional<Segmenter> segmenter_;
 };
-
-// --- the page ----------------------------------------------------------------------------------------------
-
-struct PageCharacter {
-    std::string folder; // name below the page's folder, "character-1"
-    Box box;            // page pixels
-    double scale = 1, score = 0;
-    std::string status = "ok"; // or "step: reason", or unfinished_status
-};
-// Of a character whose page `animate` is still at work on, or was when it was cut off.
-inline constexpr const char* unfinished_status = "unfinished";
-
-struct Page {
-    std::string source;        // file name of the picture
-    int rotate = 0;            // degrees by which the picture was first turned clockwise
-    int width = 0, height = 0; // after that
-    std::string detector = "contour";
-    std::vector<PageCharacter> characters;
-};
-Page read_page(const std::filesystem::path& file);
 
 // --- the steps ---------------------------------------------------------------------------------------------
 

@@ -16,7 +16,7 @@ struct Arguments {
     RenderFlags render;
     std::vector<std::string> images;
     std::string out;
-    Given given;
+    Overrides overrides;
 };
 
 // One page goes to DIR itself, several to DIR/<name of the picture without its ending>; the second of a name
@@ -44,8 +44,9 @@ void animate_page(const fs::path& image, const fs::path& folder, const Arguments
 // code of the first page.
 int run_animate(const Arguments& arguments) {
     Settings settings = make_settings(arguments.common, arguments.render);
-    settings.given = arguments.given;
-    if (arguments.images.size() > 1 && !(arguments.given.mask.empty() && arguments.given.labels.empty()))
+    settings.overrides = arguments.overrides;
+    if (arguments.images.size() > 1 &&
+        !(arguments.overrides.mask.empty() && arguments.overrides.labels.empty()))
         throw Error(ErrorKind::usage, "--mask and --labels go with one page");
     const std::vector<fs::path> folders = page_folders(arguments);
     Networks networks(settings.weights);
@@ -77,7 +78,7 @@ void add_animate(CLI::App& app, Run& run) {
     add_render_options(*command, arguments->render);
     command->add_flag("--scene", arguments->render.scene,
                       "the whole page comes alive, too: DIR/scene.webp, scene.gif");
-    add_given_options(*command, arguments->given);
+    add_override_options(*command, arguments->overrides);
     add_motion_options(*command, arguments->common);
     add_animated_drawings_option(*command, arguments->common);
     add_rotate_option(*command, arguments->common);

@@ -18,7 +18,7 @@
 #include "core/json_reader.hpp"
 #include "core/lines.hpp"
 #include "pipeline/batch.hpp"
-#include "pipeline/workshop.hpp"
+#include "pipeline/context.hpp"
 
 namespace pantin::cli {
 
@@ -34,7 +34,7 @@ constexpr std::size_t longest_line = 1 << 20; // bytes; a configuration with eve
 struct PageOptions {
     CommonOptions common;
     RenderFlags render;
-    Given given;
+    Overrides overrides;
     std::string image, out;
 };
 
@@ -90,9 +90,9 @@ const std::map<std::string, Set>& keys() {
     static const std::map<std::string, Set> all = {
         {"image", [](PageOptions& o, const JsonReader& v) { o.image = name_of(v); }},
         {"out", [](PageOptions& o, const JsonReader& v) { o.out = name_of(v); }},
-        {"mask", [](PageOptions& o, const JsonReader& v) { o.given.mask = text_of(v); }},
-        {"labels", [](PageOptions& o, const JsonReader& v) { o.given.labels = text_of(v); }},
-        {"reference", [](PageOptions& o, const JsonReader& v) { o.given.reference = text_of(v); }},
+        {"mask", [](PageOptions& o, const JsonReader& v) { o.overrides.mask = text_of(v); }},
+        {"labels", [](PageOptions& o, const JsonReader& v) { o.overrides.labels = text_of(v); }},
+        {"reference", [](PageOptions& o, const JsonReader& v) { o.overrides.reference = text_of(v); }},
         {"preset", [](PageOptions& o, const JsonReader& v) { o.common.preset = text_of(v); }},
         {"config", [](PageOptions& o, const JsonReader& v) { set_config(o.common, v); }},
         {"detector", [](PageOptions& o, const JsonReader& v) { o.common.detector = detector_of(v); }},
@@ -217,7 +217,7 @@ private:
         if (options.out.empty()) options.out = folder_for(options.image);
         name();
         Settings settings = make_settings(options.common, options.render);
-        settings.given = options.given;
+        settings.overrides = options.overrides;
         settings.threads = 1; // threads share out the pages
         settings.progress = nullptr;
         settings.notice = nullptr;
@@ -303,10 +303,10 @@ private:
 int run_batch(const Arguments& arguments) {
     // What is wrong for all lines is said once, before the first.
     Settings settings = make_settings(arguments.page.common, arguments.page.render);
-    settings.given = arguments.page.given;
+    settings.overrides = arguments.page.overrides;
     settings.notice = nullptr;
     Networks networks(settings.weights);
-    Workshop(settings, networks).prepare();
+    Context(settings, networks).prepare();
 
     Lines lines(arguments, networks);
     Output output(arguments.seconds, static_cast<bool>(settings.progress));
@@ -331,7 +331,7 @@ void add_batch(CLI::App& app, Run& run) {
     command->add_flag("--seconds", arguments->seconds, "add to each line how long it took");
     add_render_options(*command, page.render);
     command->add_flag("--scene", page.render.scene, "the whole page comes alive, too");
-    command->add_option("--reference", page.given.reference,
+    command->add_option("--reference", page.overrides.reference,
                         "what every character moves like, whatever identification says");
     add_motion_options(*command, page.common);
     add_animated_drawings_option(*command, page.common);

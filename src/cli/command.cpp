@@ -101,12 +101,12 @@ void add_animated_drawings_option(CLI::App& command, CommonOptions& options) {
                      "write humanoids as AnimatedDrawings character folders, too");
 }
 
-void add_given_options(CLI::App& command, Given& given) {
-    command.add_option("--mask", given.mask,
+void add_override_options(CLI::App& command, Overrides& overrides) {
+    command.add_option("--mask", overrides.mask,
                        "PNG of the page's size, white where the one character is: no detection");
-    command.add_option("--labels", given.labels,
+    command.add_option("--labels", overrides.labels,
                        "PNG of the page's size with part labels 0 to 5: no segmentation");
-    command.add_option("--reference", given.reference,
+    command.add_option("--reference", overrides.reference,
                        "what every character moves like, whatever identification says");
 }
 

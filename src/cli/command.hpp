@@ -37,8 +37,8 @@ void add_detector_option(CLI::App& command, CommonOptions& options); // of the c
 void add_rotate_option(CLI::App& command, CommonOptions& options);   // of those that read a page
 void add_motion_options(CLI::App& command, CommonOptions& options);  // of those that move a character
 void add_animated_drawings_option(CLI::App& command, CommonOptions& options); // of those that rig
-void add_given_options(CLI::App& command,
-                       Given& given); // of those that run all steps: results that the user gives
+void add_override_options(CLI::App& command,
+                          Overrides& overrides); // of those that run all steps: results that the user gives
 void add_render_options(CLI::App& command, RenderFlags& flags);
 
 // Preset, then configuration file, then the other options. Error(usage) or Error(input).

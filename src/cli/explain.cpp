@@ -12,14 +12,14 @@ namespace {
 struct Arguments {
     CommonOptions common;
     RenderFlags render;
-    Given given;
+    Overrides overrides;
     std::string image, out;
 };
 
 int run_explain(const Arguments& arguments) {
     const std::filesystem::path out = arguments.out;
     Settings settings = make_settings(arguments.common, arguments.render);
-    settings.given = arguments.given;
+    settings.overrides = arguments.overrides;
     explain(arguments.image, out, settings);
     clear_progress();
     print_result(arguments.common, (out / "index.html").string());
@@ -36,7 +36,7 @@ void add_explain(CLI::App& app, Run& run) {
         ->required();
     command->add_option("-o,--output", arguments->out, "folder for the results")->required();
     add_render_options(*command, arguments->render);
-    add_given_options(*command, arguments->given);
+    add_override_options(*command, arguments->overrides);
     add_motion_options(*command, arguments->common);
     add_rotate_option(*command, arguments->common);
     add_detector_option(*command, arguments->common);

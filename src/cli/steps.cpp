@@ -97,7 +97,7 @@ void add_skeletonize(CLI::App& app, Run& run) {
 void add_identify(CLI::App& app, Run& run) {
     const auto reference = std::make_shared<std::string>();
     const auto identify_as = [reference](const std::filesystem::path& folder, Settings settings) {
-        settings.given.reference = *reference;
+        settings.overrides.reference = *reference;
         identify_folder(folder, settings);
     };
     add_folder_command(app, run, "identify", "step 4: the skeleton to the reference that it moves like",

@@ -6,6 +6,7 @@
 #include "core/file.hpp"
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
+#include "formats/file_names.hpp"
 #include "pantin/evaluation.hpp"
 #include "pantin/image.hpp"
 
@@ -46,13 +47,13 @@ std::string largest_key(const JsonReader& object) {
 }
 
 void read_files(Answer& answer, const fs::path& folder) {
-    if (const fs::path file = folder / "segmentation.json"; fs::exists(file)) {
+    if (const fs::path file = folder / file_names::segmentation; fs::exists(file)) {
         const nlohmann::ordered_json json = parse_json(read_text(file), file.string());
         const JsonReader reader(json, file.string());
         answer.expert = reader.at("expert").text();
         answer.pose = largest_key(reader.at("pose"));
     }
-    if (const fs::path file = folder / "identification.json"; fs::exists(file)) {
+    if (const fs::path file = folder / file_names::identification; fs::exists(file)) {
         const nlohmann::ordered_json json = parse_json(read_text(file), file.string());
         const JsonReader reader(json, file.string());
         answer.reference = reader.at("type").text();
@@ -93,8 +94,8 @@ std::vector<Answer> run_page(const TruePage& truth, const fs::path& out, const S
         answer.score = character.score;
         answer.status = run_steps(folder, settings);
         read_files(answer, folder);
-        answer.mask = foreground(on_page(folder / "mask.png", character.box, page.width, page.height));
-        answer.labels = on_page(folder / "labels.png", character.box, page.width, page.height);
+        answer.mask = foreground(on_page(folder / file_names::mask, character.box, page.width, page.height));
+        answer.labels = on_page(folder / file_names::labels, character.box, page.width, page.height);
         answer.silhouette = foreground(answer.labels);
         answers.push_back(std::move(answer));
     }

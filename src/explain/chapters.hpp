@@ -6,7 +6,7 @@
 #include <string>
 
 #include "explain/markup.hpp"
-#include "pipeline/pages.hpp"
+#include "pipeline/animated_page.hpp"
 
 namespace pantin {
 
@@ -14,18 +14,18 @@ namespace pantin {
 struct CharacterStory {
     std::string id;             // of its elements on the page: the name of its folder
     const PageCharacter& entry; // of page.json
-    Character& character;
-    Workshop& workshop;
+    const Character& character;
+    Context& context;
 
-    int width() const { return mask_of(character).width(); } // working size
-    int height() const { return mask_of(character).height(); }
+    int width() const { return character.mask.width(); } // working size
+    int height() const { return character.mask.height(); }
     double line() const { return std::max(width(), height()) / 321.0; } // width of a thin line
     std::string drawing() const { return id + "-drawing"; }
     std::string element(const std::string& name) const { return id + "-" + name; }
 };
 
 // Of the page.
-Values page_chapter(const DetectedPage& detected);
+Values page_chapter(const AnimatedPage& animated);
 
 // Of a character. Those of a step that was not reached are not asked for.
 Values silhouette_chapter(const CharacterStory& story);

@@ -36,13 +36,13 @@ std::string row_of(const PageCharacter& c) {
 
 } // namespace
 
-Values page_chapter(const DetectedPage& detected) {
-    const Page& page = detected.page;
+Values page_chapter(const AnimatedPage& animated) {
+    const Page& page = animated.page;
     const double factor = std::min(1.0, page_side / static_cast<double>(std::max(page.width, page.height)));
     const int width = std::max(1, static_cast<int>(std::lrint(page.width * factor))),
               height = std::max(1, static_cast<int>(std::lrint(page.height * factor)));
     Svg boxes(width, height, "The page with a box around each character that was found");
-    boxes.image(picture_uri(resize(detected.picture, width, height)), width, height);
+    boxes.image(picture_uri(resize(animated.picture, width, height)), width, height);
     const double size = std::max(width, height) / 40.0;
     std::string rows;
     for (std::size_t i = 0; i < page.characters.size(); ++i) {
@@ -63,9 +63,9 @@ Values page_chapter(const DetectedPage& detected) {
                      {"count", std::to_string(page.characters.size())},
                      {"detector", page.detector}};
     values["ink"] = "";
-    if (!detected.ink.empty()) {
+    if (!animated.ink.empty()) {
         Svg ink(width, height, "The pixels that count as ink");
-        ink.image(picture_uri(ink_picture(detected.ink, width, height)), width, height);
+        ink.image(picture_uri(ink_picture(animated.ink, width, height)), width, height);
         values["ink"] =
             "<figure>" + ink.str() + "<figcaption>Ink: darker than its surroundings.</figcaption></figure>";
     }
@@ -73,7 +73,7 @@ Values page_chapter(const DetectedPage& detected) {
 }
 
 Values silhouette_chapter(const CharacterStory& story) {
-    const Mask& mask = mask_of(story.character);
+    const Mask& mask = story.character.mask;
     RgbaImage tint(mask.width(), mask.height());
     long area = 0;
     for (std::size_t i = 0; i < mask.size(); ++i)

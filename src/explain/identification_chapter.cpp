@@ -85,7 +85,8 @@ std::string evidence(const Candidate& candidate) {
 
 std::string candidate_figure(const CharacterStory& story, const LabelledGraph& drawn,
                              const Candidate& candidate, double most, bool chosen) {
-    const LabelledGraph model = normalised(to_labelled_graph(story.workshop.reference(candidate.reference)));
+    const LabelledGraph model =
+        normalised(to_labelled_graph(find_reference(story.context.references(), candidate.reference)));
     return "<section class=\"candidate" + std::string(chosen ? " chosen" : "") + "\"><h4>" +
            escaped(candidate.reference) + (candidate.mirrored ? ", mirrored" : "") +
            (chosen ? " — chosen" : "") + "</h4>" +
@@ -99,8 +100,8 @@ std::string candidate_figure(const CharacterStory& story, const LabelledGraph& d
 } // namespace
 
 Values identify_chapter(const CharacterStory& story) {
-    const Identification& identification = identification_of(story.character, story.workshop);
-    const LabelledGraph drawn = normalised(to_labelled_graph(skeleton_of(story.character)));
+    const Identification& identification = story.character.identification;
+    const LabelledGraph drawn = normalised(to_labelled_graph(story.character.skeletonization.graph));
     double most = 0;
     for (const Candidate& c : identification.candidates)
         for (const Term& term : terms_of(c.terms)) most = std::max(most, term.value);

@@ -192,22 +192,20 @@ std::string bijection(const Mapping& mapping, Chosen at) {
 
 std::string end_name(const CharacterStory& story, const Mapping& mapping, std::size_t i) {
     return std::to_string(i + 1) + " " +
-           std::string(name_of(skeleton_of(story.character).vertices[mapping.ends[i]].label));
+           std::string(name_of(story.character.skeletonization.graph.vertices[mapping.ends[i]].label));
 }
 
 std::string column_name(const CharacterStory& story, const Mapping& mapping, std::size_t j) {
-    return letter(j) + " " +
-           escaped(reference_of(story.character, story.workshop).nodes[mapping.reference_ends[j]].name);
+    return letter(j) + " " + escaped(story.character.reference.nodes[mapping.reference_ends[j]].name);
 }
 
 } // namespace
 
 Values paths_chapter(const CharacterStory& story) {
-    const Mapping& mapping = story.character.rig->mapping;
-    const ReferenceSkeleton& reference = reference_of(story.character, story.workshop);
-    const SkeletonGraph& graph = skeleton_of(story.character);
-    const Figure drawn =
-        draw_reference(reference, is_mirrored(identification_of(story.character, story.workshop)));
+    const Mapping& mapping = story.character.rig.mapping;
+    const ReferenceSkeleton& reference = story.character.reference;
+    const SkeletonGraph& graph = story.character.skeletonization.graph;
+    const Figure drawn = draw_reference(reference, is_mirrored(story.character.identification));
     if (mapping.comparisons.empty() || mapping.ends.size() < 2 || mapping.reference_ends.size() < 2)
         return {{"content", "<p>There is but one end, so there is no path to compare.</p>"},
                 {"data", "null"}};
@@ -241,13 +239,13 @@ Values paths_chapter(const CharacterStory& story) {
 }
 
 Values assignment_chapter(const CharacterStory& story) {
-    const Mapping& mapping = story.character.rig->mapping;
+    const Mapping& mapping = story.character.rig.mapping;
     const auto paired = [&](std::size_t i, std::size_t j) {
         return std::any_of(mapping.pairs.begin(), mapping.pairs.end(), [&](const EndPair& p) {
             return p.end == mapping.ends[i] && p.reference_end == mapping.reference_ends[j];
         });
     };
-    const MappingOptions& options = story.workshop.options().rigging.mapping;
+    const MappingOptions& options = story.context.options().rigging.mapping;
     std::string list;
     for (std::size_t i = 0; i < mapping.ends.size(); ++i) {
         std::string partner = "no partner";

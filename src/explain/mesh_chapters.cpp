@@ -88,7 +88,7 @@ Json weights_data(const Rig& rig) {
 } // namespace
 
 Values mesh_chapter(const CharacterStory& story) {
-    const Rig& rig = *story.character.rig;
+    const Rig& rig = story.character.rig;
     const double thin = border_width * story.line();
     Svg picture(rig.width, rig.height, "The mesh, every face in the colour of its marching squares case",
                 ink_margin(rig.width, rig.height));
@@ -107,7 +107,7 @@ Values mesh_chapter(const CharacterStory& story) {
 }
 
 Values weights_chapter(const CharacterStory& story) {
-    const Rig& rig = *story.character.rig;
+    const Rig& rig = story.character.rig;
     Svg picture(rig.width, rig.height,
                 "The mesh in the mixed colours of the bones that move it, and the bones",
                 ink_margin(rig.width, rig.height));

@@ -8,7 +8,6 @@
 #include "explain/picture_size.hpp"
 #include "pantin/export.hpp"
 #include "pantin/image.hpp"
-#include "pipeline/clips.hpp"
 #include "pipeline/film.hpp"
 
 namespace pantin {
@@ -27,12 +26,12 @@ std::string glb_uri(const Rig& rig, const RgbaImage& texture, const std::vector<
 // The first clip as a small film that needs no script; nothing when this program writes no such films.
 std::string film_uri(const Rig& rig, const RgbaImage& texture, const std::vector<BoneAnimation>& animations,
                      const CharacterStory& story) {
-    Settings settings = story.workshop.settings();
+    Settings settings = story.context.settings();
     settings.render.fps = film_fps;
     settings.render.picture = {};
     settings.render.picture.size = film_side;
     settings.render.picture.background = {255, 255, 255, 255};
-    const Film film = shoot(rig, animations.front(), texture, view_of(rig, animations), settings);
+    const Film film = render_film(rig, animations.front(), texture, view_of(rig, animations), settings);
     if (webp_available()) return data_uri("image/webp", encode_webp(film.frames, film.fps));
     return data_uri("image/apng", encode_apng(film.frames, film.fps));
 }
@@ -59,14 +58,13 @@ Json viewer_data(const std::string& glb, const Rig& rig) {
 } // namespace
 
 Values motion_chapter(const CharacterStory& story) {
-    Character& character = story.character;
-    const Rig& rig = *character.rig;
-    const std::vector<BoneAnimation> animations =
-        animations_of(rig, reference_of(character, story.workshop), story.workshop);
+    const Character& character = story.character;
+    const Rig& rig = character.rig;
+    const std::vector<BoneAnimation>& animations = character.animations;
     if (animations.empty())
         return {
             {"film", "<p>The reference has no clips.</p>"}, {"clips", ""}, {"data", "null"}, {"facts", ""}};
-    const RgbaImage texture = make_texture(small_drawing(character), labels_of(character));
+    const RgbaImage texture = make_texture(small_drawing(character), character.segmentation.labels);
     std::string facts;
     for (const BoneAnimation& a : animations)
         facts += "<tr><td>" + escaped(a.name) + "</td><td>" + decimal(a.duration, 2) + "</td><td>" +
@@ -78,16 +76,15 @@ Values motion_chapter(const CharacterStory& story) {
 }
 
 Values solid_chapter(const CharacterStory& story) {
-    Character& character = story.character;
-    const LabelMap& labels = labels_of(character);
-    Model model(strokes_from_labels(labels), story.workshop.options().modeling);
+    const Character& character = story.character;
+    const LabelMap& labels = character.segmentation.labels;
+    Model model(strokes_from_labels(labels), story.context.options().modeling);
     const SolidMesh mesh = model.united();
     ModelView view;
     view.width = labels.width();
     view.height = labels.height();
-    const Rig rig = lifted(*character.rig, model, mesh, view);
-    const std::vector<BoneAnimation> animations =
-        animations_of(rig, reference_of(character, story.workshop), story.workshop);
+    const Rig rig = lifted(character.rig, model, mesh, view);
+    const std::vector<BoneAnimation>& animations = character.animations;
     const RgbaImage texture = make_solid_texture(small_drawing(character), labels);
     Values values = {{"clips", clip_options(animations)},
                      {"parts", std::to_string(model.parts().size())},

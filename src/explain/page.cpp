@@ -7,6 +7,7 @@
 #include "explain/chapters.hpp"
 #include "explain/picture_size.hpp"
 #include "explain/svg.hpp"
+#include "formats/file_names.hpp"
 #include "pantin/explain.hpp"
 
 namespace pantin {
@@ -22,12 +23,12 @@ struct Chapter {
     bool (*reached)(const Character&);
 };
 
-bool has_mask(const Character& c) { return c.mask.has_value(); }
-bool has_labels(const Character& c) { return c.labels.has_value(); }
-bool has_skeleton(const Character& c) { return c.skeletonization.has_value(); }
-bool has_voronoi(const Character& c) { return has_skeleton(c) && !c.skeletonization->voronoi.empty(); }
-bool has_identification(const Character& c) { return c.identification.has_value(); }
-bool has_rig(const Character& c) { return c.rig.has_value(); }
+bool has_mask(const Character&) { return true; }
+bool has_labels(const Character& c) { return c.reached >= Step::segment; }
+bool has_skeleton(const Character& c) { return c.reached >= Step::skeletonize; }
+bool has_voronoi(const Character& c) { return has_skeleton(c) && !c.skeletonization.voronoi.empty(); }
+bool has_identification(const Character& c) { return c.reached >= Step::identify; }
+bool has_rig(const Character& c) { return c.reached >= Step::rig; }
 
 constexpr std::array<Chapter, 13> chapters = {
     {{"silhouette", "The silhouette", silhouette_chapter, has_mask},
@@ -68,7 +69,7 @@ void add_chapter(Text& text, const Chapter& chapter, const CharacterStory& story
                          "</h3><p>Not for this character: " + escaped(error.what()) + ".</p></article>";
         return;
     }
-    add_options(values, story.workshop.options());
+    add_options(values, story.context.options());
     values["id"] = id;
     values["folder"] = story.id;
     const auto data = values.find("data");
@@ -101,7 +102,7 @@ void add_character(Text& text, const CharacterStory& story) {
                                  escaped(story.entry.status) + ".</p>");
     for (const Chapter& chapter : chapters) {
         if (!chapter.reached(story.character) || (chapter.values == solid_chapter && !text.solids)) continue;
-        story.workshop.progress(story.id + ": " + chapter.name);
+        story.context.progress(story.id + ": " + chapter.name);
         add_chapter(text, chapter, story);
     }
     if (!text.solids)
@@ -119,15 +120,15 @@ std::string scripts() {
     return "(() => {\n\"use strict\";\n" + text + "})();\n";
 }
 
-std::string page_text(DetectedPage& detected, Workshop& workshop) {
+std::string page_text(const AnimatedPage& animated, Context& context) {
     Text text;
-    text.solids = detected.characters.size() <= most_solids;
-    Values page = page_chapter(detected);
-    add_options(page, workshop.options());
-    for (std::size_t i = 0; i < detected.characters.size(); ++i)
-        add_character(text, {detected.page.characters[i].folder, detected.page.characters[i],
-                             detected.characters[i], workshop});
-    return filled(asset("page.html"), {{"source", escaped(detected.page.source)},
+    text.solids = animated.characters.size() <= most_solids;
+    Values page = page_chapter(animated);
+    add_options(page, context.options());
+    for (std::size_t i = 0; i < animated.characters.size(); ++i)
+        add_character(text, {animated.page.characters[i].folder, animated.page.characters[i],
+                             animated.characters[i], context});
+    return filled(asset("page.html"), {{"source", escaped(animated.page.source)},
                                        {"style", std::string(asset("page.css"))},
                                        {"contents", text.contents},
                                        {"page", filled(asset("chapters/page.html"), page)},
@@ -142,13 +143,12 @@ std::string page_text(DetectedPage& detected, Workshop& workshop) {
 Page explain(const fs::path& image, const fs::path& out, const Settings& wanted) {
     const Settings settings = settings_for(image, wanted);
     Networks networks(settings.weights);
-    Workshop workshop(settings, networks);
-    workshop.keeps = true;
-    workshop.prepare();
-    DetectedPage detected = run_animate(image, out, workshop);
-    write_file(out / "index.html", page_text(detected, workshop));
-    require_animated(image, detected.page);
-    return detected.page;
+    Context context(settings, networks);
+    context.prepare();
+    AnimatedPage animated = animate_page(image, out, context, true);
+    write_file(out / file_names::walkthrough, page_text(animated, context));
+    require_animated(image, animated.page);
+    return std::move(animated.page);
 }
 
 } // namespace pantin

@@ -10,9 +10,9 @@
 
 namespace pantin {
 
-inline RgbImage small_drawing(Character& character) {
+inline RgbImage small_drawing(const Character& character) {
     constexpr double side = 640;
-    const RgbImage& drawing = drawing_of(character);
+    const RgbImage& drawing = character.drawing;
     const double factor = side / std::max(drawing.width(), drawing.height());
     if (factor >= 1) return drawing;
     return resize(drawing, std::max(1, static_cast<int>(std::lrint(drawing.width() * factor))),

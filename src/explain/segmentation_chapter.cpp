@@ -85,16 +85,17 @@ Svg painted(const CharacterStory& story, const LabelMap& labels) {
 } // namespace
 
 Values segment_chapter(const CharacterStory& story) {
-    const LabelMap& labels = labels_of(story.character);
+    const LabelMap& labels = story.character.segmentation.labels;
     Values values = {{"picture", painted(story, labels).str()}, {"areas", areas(labels)}};
-    if (const auto& segmentation = story.character.segmentation) {
+    const Segmentation& segmentation = story.character.segmentation;
+    if (!segmentation.router.empty()) {
         values["network"] = filled(asset("chapters/segment-network.html"),
-                                   {{"maps", maps(story, *segmentation)},
-                                    {"router", router(*segmentation)},
-                                    {"pose", pose(*segmentation)},
-                                    {"expert", escaped(segmentation->expert)},
-                                    {"sureness", decimal(segmentation->sureness, 3)},
-                                    {"strokes", decimal(segmentation->stroke_ratio, 2)}});
+                                   {{"maps", maps(story, segmentation)},
+                                    {"router", router(segmentation)},
+                                    {"pose", pose(segmentation)},
+                                    {"expert", escaped(segmentation.expert)},
+                                    {"sureness", decimal(segmentation.sureness, 3)},
+                                    {"strokes", decimal(segmentation.stroke_ratio, 2)}});
     } else {
         values["network"] = "<p>The part labels of this character were given, so no network was asked.</p>";
     }

@@ -18,10 +18,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const Skeletonization& skeletonization(const CharacterStory& story) {
-    return *story.character.skeletonization;
+    return story.character.skeletonization;
 }
 const SkeletonizationOptions& options_of(const CharacterStory& story) {
-    return story.workshop.options().skeletonization;
+    return story.context.options().skeletonization;
 }
 
 std::vector<Point2d> to_points(const std::vector<Point2i>& pixels) {

@@ -14,7 +14,8 @@
 
 #include "core/file.hpp"
 #include "core/json.hpp"
-#include "core/json_reader.hpp"
+#include "formats/file_names.hpp"
+#include "formats/identification_file.hpp"
 #include "pantin/network.hpp"
 
 namespace pantin {
@@ -30,10 +31,9 @@ using Json = nlohmann::ordered_json;
 // identification.json belongs to this run once the character has come past identification.
 std::string type_of(const fs::path& folder, const std::string& status) {
     if (status != "ok" && !status.starts_with("rig: ") && !status.starts_with("render: ")) return "";
-    const fs::path file = folder / "identification.json";
+    const fs::path file = folder / file_names::identification;
     try {
-        const Json json = parse_json(read_text(file), file.string());
-        return JsonReader(json, file.string()).at("reference").text();
+        return reference_from_json(read_text(file), file.string());
     } catch (const Error&) {
         return ""; // of a former run, and changed by hand
     }
@@ -54,14 +54,14 @@ void describe_page(BatchResult& result, const Page& page, const fs::path& out) {
 // but no GLB.
 std::optional<Page> finished_page(const fs::path& image, const fs::path& out, const Settings& settings) {
     std::error_code ignored;
-    if (!fs::exists(out / "page.json", ignored)) return std::nullopt;
+    if (!fs::exists(out / file_names::page, ignored)) return std::nullopt;
     try {
-        const Page page = read_page(out / "page.json");
+        const Page page = read_page(out / file_names::page);
         bool finished =
             page.source == image.filename() && page.rotate == settings.rotate && !page.characters.empty();
         for (const PageCharacter& c : page.characters)
             finished = finished && c.status != unfinished_status &&
-                       (c.status != "ok" || fs::exists(out / c.folder / "character.glb", ignored));
+                       (c.status != "ok" || fs::exists(out / c.folder / file_names::glb, ignored));
         return finished ? std::optional(page) : std::nullopt;
     } catch (const Error&) {
         return std::nullopt; // not ours, or broken: done again
@@ -85,7 +85,7 @@ void animate_or_skip(const fs::path& image, const fs::path& out, const Settings&
         describe_page(result, animate(image, out, settings, networks), out);
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::not_animated) throw;
-        describe_page(result, read_page(out / "page.json"), out);
+        describe_page(result, read_page(out / file_names::page), out);
     }
 }
 
@@ -138,10 +138,12 @@ std::string batch_line(const BatchResult& result, bool with_seconds) {
 
 namespace {
 
-class Conveyor {
+// Workers that take tasks in order and hand over results in order; how far a fast one may run ahead is
+// limited, so that a slow task does not let results pile up.
+class OrderedWorkerPool {
 public:
-    Conveyor(int threads, const std::function<BatchTask()>& next,
-             const std::function<bool(const BatchResult&)>& write)
+    OrderedWorkerPool(int threads, const std::function<BatchTask()>& next,
+                      const std::function<bool(const BatchResult&)>& write)
         : ahead_(2 * static_cast<std::size_t>(threads)), next_(next), write_(write) {}
 
     // What each thread does.
@@ -156,7 +158,7 @@ private:
         const std::lock_guard turn(input_);
         {
             std::unique_lock lock(output_);
-            room_.wait(lock, [&] { return stopped_ || taken_ < written_ + ahead_; });
+            space_.wait(lock, [&] { return stopped_ || taken_ < written_ + ahead_; });
             if (stopped_) return {};
         }
         if (ended_) return {};
@@ -174,10 +176,10 @@ private:
             const BatchResult next = std::move(waiting_.at(written_));
             waiting_.erase(written_);
             stopped_ = true; // should it throw
-            room_.notify_all();
+            space_.notify_all();
             stopped_ = !write_(next);
         }
-        room_.notify_all();
+        space_.notify_all();
     }
 
     const std::size_t ahead_;
@@ -188,7 +190,7 @@ private:
     std::size_t taken_ = 0;
     bool ended_ = false;
     // Under output_:
-    std::condition_variable room_;
+    std::condition_variable space_;
     std::map<std::size_t, BatchResult> waiting_; // for those before them
     std::size_t written_ = 0;
     bool stopped_ = false;
@@ -198,9 +200,9 @@ private:
 
 void run_in_order(int threads, const std::function<BatchTask()>& next,
                   const std::function<bool(const BatchResult&)>& write) {
-    Conveyor conveyor(threads, next, write);
+    OrderedWorkerPool pool(threads, next, write);
     const network::Runtime runtime(threads);
-    runtime.parallel_for(threads, [&](int) { conveyor.work(); });
+    runtime.parallel_for(threads, [&](int) { pool.work(); });
 }
 
 } // namespace pantin

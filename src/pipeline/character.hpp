@@ -1,61 +1,61 @@
 // SPDX-License-Identifier: MIT
-// A character on its way through the steps: what the steps before have made, in memory or else in its folder.
+// The products of the steps for one character.
 #pragma once
 
+#include <array>
 #include <filesystem>
-#include <memory>
 #include <optional>
+#include <vector>
 
-#include "pipeline/solid.hpp"
-#include "pipeline/workshop.hpp"
+#include "formats/model_file.hpp"
+#include "pipeline/context.hpp"
 
 namespace pantin {
 
+enum class Step { detect, segment, skeletonize, identify, rig, render };
+inline constexpr std::array<const char*, 6> step_names = {"detect",   "segment", "skeletonize",
+                                                          "identify", "rig",     "render"};
+inline const char* name_of(Step step) { return step_names[static_cast<std::size_t>(step)]; }
+
+// In the order of the flow (thesis Fig. 4.1). A folder holds no intermediate products, so what is read from
+// one has the labels of the segmentation and the graph of the skeletonization alone.
 struct Character {
-    std::filesystem::path folder;
-    std::optional<RgbImage> drawing;
-    std::optional<Mask> mask;
-    std::optional<LabelMap> labels;
-    std::optional<Segmentation> segmentation;       // when the workshop keeps intermediate products
-    std::optional<Skeletonization> skeletonization; // likewise
-    std::optional<SkeletonGraph> skeleton;
-    std::optional<Identification> identification;
-    std::optional<ReferenceSkeleton> blended; // with --blend
-    std::optional<Rig> rig;
-    std::shared_ptr<const Solid> solid; // of a model's folder
+    Step reached = Step::detect; // the last step whose products are there
+
+    RgbImage drawing; // 1: the crop, page pixels
+    Mask mask;        //    working size
+    std::optional<LabelMap> given_labels;
+
+    Segmentation segmentation;       // 2
+    Skeletonization skeletonization; // 3
+    Identification identification;   // 4
+
+    // 5: the reference that it moves like, its rig, and the clips that it can play.
+    ReferenceSkeleton reference;
+    std::optional<Solid> solid; // of a model's folder: the rig is in space, the texture uncut
+    Rig rig;
+    RgbaImage texture;
+    std::vector<BoneAnimation> animations;
 };
 
-// What a step needs, read from the folder when it is not in memory. Error(input) names the file that is
-// missing, invalid, or does not fit the others.
-const RgbImage& drawing_of(Character& character);
-const Mask& mask_of(Character& character);              // working size
-const LabelMap& labels_of(Character& character);        // of the mask's size
-const SkeletonGraph& skeleton_of(Character& character); // of the labels' size
-const Identification& identification_of(Character& character, Workshop& workshop);
-// The reference that identification chose; with --blend mixed with the best one of another type.
-const ReferenceSkeleton& reference_of(Character& character, Workshop& workshop);
+// A character whose folder has the files of the steps before `step`: what that step takes, read whole.
+// Error(input) names the file that is missing, invalid, or does not fit the others.
+Character load_character(const std::filesystem::path& folder, Step step, Context& context);
+
+// The reference that identification chose; with --blend mixed with the best one of another type (thesis 6.2).
+ReferenceSkeleton choose_reference(const Identification& identification,
+                                   const std::vector<ReferenceSkeleton>& references, bool blended);
 // Whether the chosen reference is left for right.
 bool is_mirrored(const Identification& identification);
-// Rigged anew from skeleton, labels, identification and mapping (a matter of milliseconds); the weights are
-// those of weights.txt, so that mapping and weights can be corrected by hand.
-const Rig& rig_of(Character& character, Workshop& workshop);
-// The model of a folder with strokes.json; null for a drawing.
-const Solid* solid_of(Character& character, Workshop& workshop);
-// A rig made from the pictures; of a model its bones in space and its surface.
-Rig in_its_space(Rig rig, Character& character, Workshop& workshop);
-RgbaImage texture_of(Character& character, Workshop& workshop);
-// Error(input): a label map has a value that is none; two pictures that belong together have different sizes.
-void check_labels(const LabelMap& labels, const std::filesystem::path& file);
-[[noreturn]] void fail_size(const std::filesystem::path& file, int width, int height,
-                            const std::string& other, int other_width, int other_height);
-// The rig for the pairs of a mapping.json.
-Rig rig_from_mapping(Character& character, Workshop& workshop, const std::filesystem::path& file);
 
-// Masks have 0 and 255 in files.
-GreyImage to_grey(const Mask& mask);
-
-// The weights of weights.txt for a rig of these bones and this many vertices.
-std::vector<VertexWeights> weights_from_text(const std::string& text, const std::string& file,
-                                             const Rig& rig);
+// The rig of the pairs in a mapping.json, on the character's surface in space if it has one; without a file
+// ends are matched (thesis 4.6).
+Rig make_rig(const Character& character, const std::filesystem::path& mapping, Context& context);
+// The character's drawing cut to its silhouette; a solid's surface alone says where it ends.
+RgbaImage make_texture(const Character& character);
+// The clips of the reference in its order, then the recorded motion if the reference can follow it; a motion
+// with the name of a clip replaces that clip.
+std::vector<BoneAnimation> make_animations(const Rig& rig, const ReferenceSkeleton& reference,
+                                           Context& context);
 
 } // namespace pantin

@@ -52,8 +52,8 @@ Film blank_film(double duration, double fps) {
     return film;
 }
 
-Film shoot(const Rig& rig, const BoneAnimation& animation, const RgbaImage& texture, const View& view,
-           const Settings& settings) {
+Film render_film(const Rig& rig, const BoneAnimation& animation, const RgbaImage& texture, const View& view,
+                 const Settings& settings) {
     Film film = blank_film(animation.duration, settings.render.fps);
     const FrameRenderer renderer(rig, texture, view, settings.render.picture);
     const network::Runtime runtime(settings.threads);

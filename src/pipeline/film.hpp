@@ -26,8 +26,8 @@ Film blank_film(double duration, double fps);
 
 // The clip as frames, at the size and rate of `settings.render`. Frames do not depend on each other, so
 // threads share them out.
-Film shoot(const Rig& rig, const BoneAnimation& animation, const RgbaImage& texture, const View& view,
-           const Settings& settings);
+Film render_film(const Rig& rig, const BoneAnimation& animation, const RgbaImage& texture, const View& view,
+                 const Settings& settings);
 
 // Writes folder/<stem>.webp and so on in the wanted formats; PNG frames go to `frames_folder`.
 void write_film(const Film& film, const std::filesystem::path& folder, const std::string& stem,

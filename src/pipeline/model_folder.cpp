@@ -3,12 +3,14 @@
 #include <algorithm>
 
 #include "core/file.hpp"
+#include "formats/file_names.hpp"
+#include "formats/model_file.hpp"
+#include "formats/pictures.hpp"
+#include "formats/skeleton_file.hpp"
 #include "pantin/export.hpp"
 #include "pantin/image.hpp"
-#include "pipeline/character.hpp"
-#include "pipeline/json_files.hpp"
+#include "pantin/pipeline.hpp"
 #include "pipeline/model_sheet.hpp"
-#include "pipeline/solid.hpp"
 
 namespace pantin {
 
@@ -23,10 +25,8 @@ struct Source {
 };
 
 Source from_character(const fs::path& folder) {
-    Character character;
-    character.folder = folder;
-    const LabelMap& labels = labels_of(character);
-    return {strokes_from_labels(labels), ModelPicture{drawing_of(character), labels}};
+    const LabelMap labels = read_labels(folder, read_mask(folder));
+    return {strokes_from_labels(labels), ModelPicture{read_drawing(folder), labels}};
 }
 
 Strokes from_file(const fs::path& file) {
@@ -88,16 +88,16 @@ void model_folder(const fs::path& input, const fs::path& out, const fs::path& ca
     }
     progress("files", 0.9);
     create_folder(out);
-    write_file(out / "strokes.json", strokes_to_json(source.strokes));
-    write_file(out / "model.json", model_to_json(model, view, projected));
-    write_file(out / "model.obj", to_obj(rig, "model.mtl"));
-    write_file(out / "model.mtl", to_mtl("drawing.png"));
-    write_file(out / "model.glb", to_glb(rig, texture, {}));
-    save_png(out / "views.png", model_sheet(rig, texture, model, view));
-    save_png(out / "drawing.png", source.picture->drawing);
-    save_png(out / "labels.png", source.picture->labels);
-    save_png(out / "mask.png", to_grey(foreground(source.picture->labels)));
-    write_file(out / "skeleton.json", skeleton_to_json(project_skeleton(model, view)));
+    write_file(out / file_names::strokes, strokes_to_json(source.strokes));
+    write_file(out / file_names::model, model_to_json(model, view, projected));
+    write_file(out / file_names::model_mesh, to_obj(rig, file_names::model_material));
+    write_file(out / file_names::model_material, to_mtl(file_names::drawing));
+    write_file(out / file_names::model_glb, to_glb(rig, texture, {}));
+    save_png(out / file_names::model_views, model_sheet(rig, texture, model, view));
+    save_png(out / file_names::drawing, source.picture->drawing);
+    save_png(out / file_names::labels, source.picture->labels);
+    save_png(out / file_names::mask, to_grey(foreground(source.picture->labels)));
+    write_file(out / file_names::skeleton, skeleton_to_json(project_skeleton(model, view)));
 }
 
 } // namespace pantin

@@ -2,7 +2,8 @@
 // A model from three sides with its skeleton, and once more at an angle without it, as one picture.
 #pragma once
 
-#include "pipeline/solid.hpp"
+#include "pantin/animation.hpp"
+#include "pantin/model_view.hpp"
 
 namespace pantin {
 

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The driver: from a page to animated characters, one step after the other. The file to read first.
+// The driver: from a page to animated characters, one step after the other (thesis Fig. 4.1). The file to
+// read first: every product is handed on by its name, and written where it is made.
 #include "pantin/pipeline.hpp"
 
 #include <algorithm>
 
-#include "pipeline/animated_drawings.hpp"
-#include "pipeline/pages.hpp"
+#include "core/file.hpp"
+#include "formats/animated_drawings.hpp"
+#include "formats/character_folder.hpp"
+#include "formats/file_names.hpp"
+#include "formats/page_file.hpp"
+#include "pantin/image.hpp"
+#include "pipeline/animated_page.hpp"
+#include "pipeline/clip_films.hpp"
+#include "pipeline/detected_page.hpp"
 #include "pipeline/scene.hpp"
-#include "pipeline/stages.hpp"
 
 namespace pantin {
 
@@ -15,32 +22,85 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int steps = 5; // of a character
+// Thesis 4.3 takes every drawing for a character; a scribble has no part that the network is sure of.
+void reject_scribble(const Segmentation& s, const SegmentationOptions& options) {
+    if (s.router.empty() || s.sureness >= options.least_sureness || s.stroke_ratio <= options.scribble_ratio)
+        return;
+    throw CharacterRejected("segment",
+                            "looks like a scribble: many strokes, and no part that the network is sure of");
+}
+
+// Steps `first` to `last` on a character that has the products of the steps before. CharacterRejected says
+// why it cannot go on. `progress` is told of each step.
+void run_steps(Character& c, const fs::path& folder, Step first, Step last, Context& context,
+               const std::function<void(Step)>& progress) {
+    const Settings& settings = context.settings();
+    const Options& options = context.options();
+    const auto runs = [&](Step step) {
+        if (step < first || step > last) return false;
+        progress(step);
+        return true;
+    };
+
+    // Step 2 (thesis 4.3): which pixels are head, body, limb, tail, wing.
+    if (runs(Step::segment)) {
+        if (c.given_labels)
+            c.segmentation.labels = *c.given_labels;
+        else
+            c.segmentation = context.segmenter().segment(c.drawing, c.mask, options.segmentation);
+        save_segmentation(folder, c.segmentation, settings.trace);
+        c.reached = Step::segment;
+        // The files are there: whoever knows better corrects labels.png and goes on with the next step.
+        reject_scribble(c.segmentation, options.segmentation);
+    }
+
+    // Step 3 (4.4): the Voronoi skeleton of the silhouette as a labelled graph.
+    if (runs(Step::skeletonize)) {
+        c.skeletonization = skeletonize(c.segmentation.labels, options.skeletonization);
+        save_skeletonization(folder, c.skeletonization, settings.trace);
+        c.reached = Step::skeletonize;
+    }
+
+    // Step 4 (4.5): the reference skeleton that is nearest by geometric graph distance.
+    if (runs(Step::identify)) {
+        c.identification = identify(c.skeletonization.graph, c.segmentation.labels, context.references(),
+                                    options.identification);
+        save_identification(folder, c.identification);
+        c.reached = Step::identify;
+    }
+
+    // Step 5 (4.6): end-effectors matched, mesh and skin weights made, clips carried over to the bones.
+    if (runs(Step::rig)) {
+        c.reference = choose_reference(c.identification, context.references(), settings.blend);
+        c.rig = make_rig(c, settings.mapping, context);
+        c.texture = make_texture(c);
+        c.animations = make_animations(c.rig, c.reference, context);
+        save_rig(folder, c.rig, c.texture, c.animations);
+        if (settings.animated_drawings &&
+            !write_animated_drawings(folder / file_names::animated_drawings, c.rig, c.reference, c.texture))
+            context.notice(folder.string() + ": has not the arms and legs of an AnimatedDrawings character");
+        c.reached = Step::rig;
+    }
+
+    // Step 6 (4.6, 6.1): the clips, frame by frame.
+    if (runs(Step::render)) {
+        for (const ClipFilm& clip : clip_films(c, context)) {
+            if (wants(settings.render, "bvh", clip.first))
+                write_file(folder / (clip.stem + ".bvh"), to_bvh(c.rig, clip.animation));
+            if (!wants_pictures(settings.render)) continue;
+            const Film film = render_film(c.rig, clip.animation, c.texture, clip.view, settings);
+            write_film(film, folder, clip.stem, folder / file_names::frames / clip.animation.name,
+                       settings.render, clip.first);
+        }
+        c.reached = Step::render;
+    }
+}
 
 // Steps 2 to 6 on one character. Returns its status: "ok", or the step and the reason why it cannot go on.
-// `progress` announces a step by its name and number.
-std::string animate_character(Character& character, Workshop& workshop,
-                              const std::function<void(const char*, int)>& progress) {
+std::string animate_character(Character& character, const fs::path& folder, Context& context,
+                              const std::function<void(Step)>& progress) {
     try {
-        // Step 2 (thesis 4.3): which pixels are head, body, limb, tail, wing.
-        progress("segment", 0);
-        run_segment(character, workshop);
-
-        // Step 3 (4.4): the Voronoi skeleton of the silhouette as a labelled graph.
-        progress("skeletonize", 1);
-        run_skeletonize(character, workshop);
-
-        // Step 4 (4.5): the reference skeleton that is nearest by geometric graph distance.
-        progress("identify", 2);
-        run_identify(character, workshop);
-
-        // Step 5 (4.6): end-effectors matched, mesh and skin weights made.
-        progress("rig", 3);
-        run_rig(character, workshop);
-
-        // Step 6 (4.6, 6.1): the reference's clips on the character, frame by frame.
-        progress("render", 4);
-        run_render(character, workshop);
+        run_steps(character, folder, Step::segment, Step::render, context, progress);
         return "ok";
     } catch (const CharacterRejected& rejected) {
         return rejected.step() + ": " + rejected.what();
@@ -54,33 +114,44 @@ bool any_animated(const Page& page) {
 
 } // namespace
 
-DetectedPage run_animate(const fs::path& image, const fs::path& out, Workshop& workshop) {
+AnimatedPage animate_page(const fs::path& image, const fs::path& out, Context& context,
+                          bool keep_intermediate) {
     // Step 1 (4.2): the page to characters.
-    DetectedPage detected = run_detect(image, out, workshop);
+    context.progress(name_of(Step::detect));
+    AnimatedPage animated = detect_characters(image, context);
+    save_detection(out, animated, context.settings().trace);
+    if (!keep_intermediate) animated.picture = {}, animated.ink = {};
 
-    const bool scene = workshop.settings().render.scene;
-    for (std::size_t i = 0; i < detected.characters.size(); ++i) {
-        PageCharacter& entry = detected.page.characters[i];
-        Character& character = detected.characters[i];
-        const double total = 1.0 + steps * static_cast<double>(detected.characters.size());
-        entry.status = animate_character(character, workshop, [&](const char* step, int number) {
-            const double done = 1.0 + steps * static_cast<double>(i) + number;
-            workshop.progress(entry.folder + ": " + step, done / total);
+    // Steps 2 to 6, one character after the other.
+    Page& page = animated.page;
+    const bool scene = context.settings().render.scene;
+    const double total =
+        1.0 + static_cast<double>(step_names.size() - 1) * static_cast<double>(animated.characters.size());
+    double done = 1;
+    for (std::size_t i = 0; i < animated.characters.size(); ++i) {
+        Character& character = animated.characters[i];
+        PageCharacter& entry = page.characters[i];
+        const double before = done;
+        entry.status = animate_character(character, out / entry.folder, context, [&](Step step) {
+            context.progress(entry.folder + ": " + name_of(step), done++ / total);
         });
-        if (!scene && !workshop.keeps) character = {}; // its pictures are not needed any more
+        done = before + static_cast<double>(step_names.size() - 1);
+        if (!scene && !keep_intermediate) character = {}; // its pictures are not needed any more
     }
-    if (scene && any_animated(detected.page)) {
-        workshop.progress("scene", 1);
-        run_scene(image, out, detected.page, detected.characters, workshop);
+
+    // All characters in their places, as one film.
+    if (scene && any_animated(page)) {
+        context.progress(file_names::scene, 1);
+        render_scene(image, out, page, animated.characters, context);
     }
-    write_page(out, detected.page); // last: whoever finds it without unfinished characters finds everything
-    return detected;
+    write_page(out, page); // last: whoever finds it without unfinished characters finds everything
+    return animated;
 }
 
 Settings settings_for(const fs::path& image, const Settings& wanted) {
     Settings settings = wanted;
-    if (is_animated_drawings_folder(image) && settings.given.reference.empty())
-        settings.given.reference = "humanoid";
+    if (is_animated_drawings_folder(image) && settings.overrides.reference.empty())
+        settings.overrides.reference = "humanoid";
     return settings;
 }
 
@@ -100,19 +171,55 @@ Page animate(const fs::path& image, const fs::path& out, const Settings& setting
 
 Page animate(const fs::path& image, const fs::path& out, const Settings& wanted, Networks& networks) {
     const Settings settings = settings_for(image, wanted);
-    Workshop workshop(settings, networks);
-    workshop.prepare();
-    Page page = run_animate(image, out, workshop).page;
+    Context context(settings, networks);
+    context.prepare();
+    Page page = animate_page(image, out, context, false).page;
     require_animated(image, page);
     return page;
 }
 
 Page detect_page(const fs::path& image, const fs::path& out, const Settings& settings) {
-    Workshop workshop(settings);
-    Page page = run_detect(image, out, workshop).page;
-    for (PageCharacter& character : page.characters) character.status = "ok";
-    write_page(out, page);
-    return page;
+    Context context(settings);
+    context.progress(name_of(Step::detect));
+    AnimatedPage detected = detect_characters(image, context);
+    save_detection(out, detected, settings.trace);
+    for (PageCharacter& character : detected.page.characters) character.status = "ok";
+    write_page(out, detected.page);
+    return std::move(detected.page);
+}
+
+// --- a step alone, on a character's folder -----------------------------------------------------------------
+
+namespace {
+
+void run_step(const fs::path& folder, const Settings& settings, Step step) {
+    require_folder(folder);
+    Context context(settings);
+    try {
+        Character character = load_character(folder, step, context);
+        run_steps(character, folder, step, step, context, [&](Step s) { context.progress(name_of(s)); });
+    } catch (const CharacterRejected& rejected) {
+        const std::string status = rejected.step() + ": " + rejected.what();
+        set_status(folder, status);
+        throw Error(ErrorKind::not_animated, folder.string() + ": " + status);
+    }
+    set_status(folder, "ok");
+}
+
+} // namespace
+
+void segment_folder(const fs::path& folder, const Settings& settings) {
+    run_step(folder, settings, Step::segment);
+}
+void skeletonize_folder(const fs::path& folder, const Settings& settings) {
+    run_step(folder, settings, Step::skeletonize);
+}
+void identify_folder(const fs::path& folder, const Settings& settings) {
+    run_step(folder, settings, Step::identify);
+}
+void rig_folder(const fs::path& folder, const Settings& settings) { run_step(folder, settings, Step::rig); }
+void render_folder(const fs::path& folder, const Settings& settings) {
+    run_step(folder, settings, Step::render);
 }
 
 } // namespace pantin

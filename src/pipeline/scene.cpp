@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formats/file_names.hpp"
 #include "pantin/image.hpp"
 #include "pantin/network.hpp"
-#include "pipeline/clips.hpp"
 #include "pipeline/film.hpp"
-#include "pipeline/given.hpp"
+#include "pipeline/overrides.hpp"
 
 namespace pantin {
 
@@ -17,63 +17,56 @@ namespace {
 constexpr double wanted_seconds = 4; // of the loop
 constexpr int rim = 2;               // pixels around a character that still hold some of its ink
 
-struct Actor {
-    const Rig* rig = nullptr;
-    RgbaImage texture;
-    BoneAnimation animation;
-    Box box; // of the page
-    int loops = 1;
+struct Figure {
+    const Rig& rig;
+    const RgbaImage& texture;
+    const BoneAnimation& animation;
+    Box box;       // of the page
+    int loops = 1; // of the animation in one loop of the scene
 };
 
-// The part of the frame in which an actor moves.
+// The part of the frame in which a figure moves.
 struct Place {
     int x = 0, y = 0; // frame pixels
     FrameRenderer renderer;
 };
 
 // The wanted one where there is such, else the first.
-BoneAnimation animation_for(const std::vector<BoneAnimation>& all, const std::string& wanted) {
+const BoneAnimation& animation_for(const std::vector<BoneAnimation>& all, const std::string& wanted) {
     for (const BoneAnimation& animation : all)
         if (animation.name == wanted) return animation;
     return all.front();
 }
 
-std::vector<Actor> cast(const Page& page, std::vector<Character>& characters, Workshop& workshop) {
-    std::vector<Actor> actors;
+std::vector<Figure> moving_figures(const Page& page, const std::vector<Character>& characters,
+                                   const std::string& clip) {
+    std::vector<Figure> figures;
     for (std::size_t i = 0; i < characters.size(); ++i) {
-        if (page.characters[i].status != "ok") continue;
-        Character& character = characters[i];
-        const ReferenceSkeleton& reference = reference_of(character, workshop);
-        if (reference.clips.empty()) continue;
-        Actor actor;
-        actor.rig = &rig_of(character, workshop);
-        actor.texture = make_texture(drawing_of(character), labels_of(character));
-        actor.animation =
-            animation_for(animations_of(*actor.rig, reference, workshop), workshop.settings().render.clip);
-        actor.box = page.characters[i].box;
-        actors.push_back(std::move(actor));
+        const Character& c = characters[i];
+        if (page.characters[i].status != "ok" || c.reference.clips.empty()) continue;
+        figures.push_back({c.rig, c.texture, animation_for(c.animations, clip), page.characters[i].box});
     }
-    return actors;
+    return figures;
 }
 
 // The longest clip an entire number of times; the others as often as fits best, a little faster or slower.
-double common_duration(std::vector<Actor>& actors) {
+double common_duration(std::vector<Figure>& figures) {
     double longest = 0;
-    for (const Actor& actor : actors) longest = std::max(longest, actor.animation.duration);
+    for (const Figure& figure : figures) longest = std::max(longest, figure.animation.duration);
     const double duration = longest * std::max(1.0, std::rint(wanted_seconds / longest));
-    for (Actor& actor : actors)
-        actor.loops = std::max(1, static_cast<int>(std::rint(duration / actor.animation.duration)));
+    for (Figure& figure : figures)
+        figure.loops = std::max(1, static_cast<int>(std::rint(duration / figure.animation.duration)));
     return duration;
 }
 
-// Where the actor gets to, on whole pixels of a frame that shows the page with so many pixels to a pixel of
-// the page. In the actor's world one unit is the height of its box and the origin the middle of its lower
+// Where the figure gets to, on whole pixels of a frame that shows the page with so many pixels to a pixel of
+// the page. In the figure's world one unit is the height of its box and the origin the middle of its lower
 // edge.
-Place place_of(const Actor& actor, double scale, RenderOptions picture) {
-    const View reach = view_of(*actor.rig, {actor.animation});
-    const double unit = scale * actor.box.height;
-    const double origin_x = scale * (actor.box.x + 0.5 * actor.box.width),
-                 origin_y = scale * (actor.box.y + actor.box.height);
+Place place_of(const Figure& figure, double scale, RenderOptions picture) {
+    const View reach = view_of(figure.rig, {figure.animation});
+    const double unit = scale * figure.box.height;
+    const double origin_x = scale * (figure.box.x + 0.5 * figure.box.width),
+                 origin_y = scale * (figure.box.y + figure.box.height);
     const double left = std::floor(origin_x + unit * reach.left),
                  right = std::ceil(origin_x + unit * (reach.left + reach.width));
     const double top = std::floor(origin_y - unit * (reach.bottom + reach.height)),
@@ -84,12 +77,12 @@ Place place_of(const Actor& actor, double scale, RenderOptions picture) {
     picture.perspective = false;
     picture.size = static_cast<int>(std::max(right - left, bottom - top));
     return {static_cast<int>(left), static_cast<int>(top),
-            FrameRenderer(*actor.rig, actor.texture, view, picture)};
+            FrameRenderer(figure.rig, figure.texture, view, picture)};
 }
 
-std::vector<Vec3> pose_of(const Actor& actor, double share) {
-    const double turns = share * actor.loops;
-    return skin(*actor.rig, actor.animation, (turns - std::floor(turns)) * actor.animation.duration);
+std::vector<Vec3> pose_of(const Figure& figure, double share) {
+    const double turns = share * figure.loops;
+    return skin(figure.rig, figure.animation, (turns - std::floor(turns)) * figure.animation.duration);
 }
 
 void put_over(RgbaImage& picture, const RgbaImage& layer, int left, int top) {
@@ -106,21 +99,21 @@ void put_over(RgbaImage& picture, const RgbaImage& layer, int left, int top) {
 }
 
 // Where a character is drawn, on a page of that size.
-void mark(Mask& hole, const Actor& actor, const Page& page) {
+void mark(Mask& hole, const Figure& figure, const Page& page) {
     const double sx = static_cast<double>(page.width) / hole.width(),
                  sy = static_cast<double>(page.height) / hole.height();
     for (int y = 0; y < hole.height(); ++y)
         for (int x = 0; x < hole.width(); ++x) {
-            const double u = ((x + 0.5) * sx - actor.box.x) / actor.box.width * actor.texture.width();
-            const double v = ((y + 0.5) * sy - actor.box.y) / actor.box.height * actor.texture.height();
+            const double u = ((x + 0.5) * sx - figure.box.x) / figure.box.width * figure.texture.width();
+            const double v = ((y + 0.5) * sy - figure.box.y) / figure.box.height * figure.texture.height();
             const int column = static_cast<int>(std::floor(u)), row = static_cast<int>(std::floor(v));
-            if (actor.texture.contains(column, row) && actor.texture(column, row).a > 0) hole(x, y) = 1;
+            if (figure.texture.contains(column, row) && figure.texture(column, row).a > 0) hole(x, y) = 1;
         }
 }
 
-RgbaImage empty_paper(const RgbImage& drawn, const std::vector<Actor>& actors, const Page& page) {
+RgbaImage empty_paper(const RgbImage& drawn, const std::vector<Figure>& figures, const Page& page) {
     Mask hole(drawn.width(), drawn.height());
-    for (const Actor& actor : actors) mark(hole, actor, page);
+    for (const Figure& figure : figures) mark(hole, figure, page);
     const RgbImage filled = fill_in(drawn, dilate_square(hole, rim));
     RgbaImage paper(filled.width(), filled.height());
     for (std::size_t i = 0; i < paper.size(); ++i) {
@@ -132,13 +125,13 @@ RgbaImage empty_paper(const RgbImage& drawn, const std::vector<Actor>& actors, c
 
 } // namespace
 
-void run_scene(const std::filesystem::path& image, const std::filesystem::path& out, const Page& page,
-               std::vector<Character>& characters, Workshop& workshop) {
-    const Settings& settings = workshop.settings();
+void render_scene(const std::filesystem::path& image, const std::filesystem::path& out, const Page& page,
+                  const std::vector<Character>& characters, const Context& context) {
+    const Settings& settings = context.settings();
     if (!wants_pictures(settings.render)) return;
-    std::vector<Actor> actors = cast(page, characters, workshop);
-    if (actors.empty()) return;
-    Film film = blank_film(common_duration(actors), settings.render.fps);
+    std::vector<Figure> figures = moving_figures(page, characters, settings.render.clip);
+    if (figures.empty()) return;
+    Film film = blank_film(common_duration(figures), settings.render.fps);
     const double scale =
         static_cast<double>(settings.render.picture.size) / std::max(page.width, page.height);
     const auto pixels = [&](int length) {
@@ -146,19 +139,20 @@ void run_scene(const std::filesystem::path& image, const std::filesystem::path& 
     };
     const RgbImage drawn = resize(turned(load_image(picture_of(image)), settings.rotate), pixels(page.width),
                                   pixels(page.height));
-    const RgbaImage paper = empty_paper(drawn, actors, page);
+    const RgbaImage paper = empty_paper(drawn, figures, page);
     std::vector<Place> places;
-    for (const Actor& actor : actors) places.push_back(place_of(actor, scale, settings.render.picture));
+    for (const Figure& figure : figures) places.push_back(place_of(figure, scale, settings.render.picture));
     const network::Runtime runtime(settings.threads);
     runtime.parallel_for(static_cast<int>(film.frames.size()), [&](int frame) {
         const auto i = static_cast<std::size_t>(frame);
         const double share = static_cast<double>(i) / static_cast<double>(film.frames.size());
         RgbaImage picture = paper;
-        for (std::size_t k = 0; k < actors.size(); ++k)
-            put_over(picture, places[k].renderer(pose_of(actors[k], share)), places[k].x, places[k].y);
+        for (std::size_t k = 0; k < figures.size(); ++k)
+            put_over(picture, places[k].renderer(pose_of(figures[k], share)), places[k].x, places[k].y);
         film.frames[i] = std::move(picture);
     });
-    write_film(film, out, "scene", out / "frames" / "scene", settings.render, true);
+    write_film(film, out, file_names::scene, out / file_names::frames / file_names::scene, settings.render,
+               true);
 }
 
 } // namespace pantin

@@ -12,7 +12,7 @@ namespace pantin {
 
 // Writes out/scene.webp and so on (PNG frames: out/frames/scene). `characters` are those of `page`; those
 // whose status is not "ok" stay on the paper as they were drawn.
-void run_scene(const std::filesystem::path& image, const std::filesystem::path& out, const Page& page,
-               std::vector<Character>& characters, Workshop& workshop);
+void render_scene(const std::filesystem::path& image, const std::filesystem::path& out, const Page& page,
+                  const std::vector<Character>& characters, const Context& context);
 
 } // namespace pantin

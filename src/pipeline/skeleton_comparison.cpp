@@ -9,9 +9,10 @@
 
 #include "core/file.hpp"
 #include "core/json.hpp"
+#include "formats/file_names.hpp"
+#include "formats/pictures.hpp"
 #include "pantin/image.hpp"
 #include "pantin/pipeline.hpp"
-#include "pipeline/character.hpp"
 
 namespace pantin {
 
@@ -135,13 +136,12 @@ std::string comparison_to_json(const std::vector<ComparedSkeleton>& skeletons) {
 }
 
 void compare_skeletons_folder(const std::filesystem::path& folder, const Settings& settings) {
-    Character character;
-    character.folder = folder;
-    const LabelMap& labels = labels_of(character);
+    const LabelMap labels = read_labels(folder, read_mask(folder));
     const std::vector<ComparedSkeleton> skeletons =
         compare_skeletons(labels, settings.options.skeletonization);
-    save_png(folder / "skeletons.png", comparison_picture(skeletons, labels, drawing_of(character)));
-    write_file(folder / "skeletons.json", comparison_to_json(skeletons));
+    save_png(folder / file_names::skeleton_comparison_picture,
+             comparison_picture(skeletons, labels, read_drawing(folder)));
+    write_file(folder / file_names::skeleton_comparison, comparison_to_json(skeletons));
 }
 
 } // namespace pantin

@@ -2,8 +2,11 @@
 // Steps 4 to 6: skeleton graph to moving meshes and files for other programs.
 #include <algorithm>
 
+#include "formats/file_names.hpp"
+#include "formats/identification_file.hpp"
+#include "formats/mapping_file.hpp"
+#include "formats/skeleton_file.hpp"
 #include "pantin/export.hpp"
-#include "pipeline/json_files.hpp"
 #include "verify/bytes.hpp"
 #include "verify/stage.hpp"
 #include "verify/step_files.hpp"
@@ -12,10 +15,11 @@ namespace pantin {
 
 namespace {
 
-const std::string labels_file = character_path + "labels.png", graph_file = character_path + "skeleton.json",
-                  identification_file = character_path + "identification.json",
-                  mapping_file = character_path + "mapping.json", mesh_file = trace_path + "mesh.json",
-                  bones_file = trace_path + "bones.json", weights_file = character_path + "weights.txt",
+const std::string labels_file = character_path + file_names::labels,
+                  graph_file = character_path + file_names::skeleton,
+                  identification_file = character_path + file_names::identification,
+                  mapping_file = character_path + file_names::mapping, mesh_file = trace_path + "mesh.json",
+                  bones_file = trace_path + "bones.json", weights_file = character_path + file_names::weights,
                   depths_file = trace_path + "depths.json", animations_file = trace_path + "animations.json",
                   posed_file = trace_path + "posed.json";
 constexpr double posed_share = 0.3; // of the first clip's duration: a pose that is no key pose
@@ -79,7 +83,7 @@ std::vector<BoneAnimation> animations_of(const StageContext& c) {
 }
 
 RgbaImage texture_of(const StageContext& c) {
-    return make_texture(c.picture(character_path + "drawing.png"), c.grey(labels_file));
+    return make_texture(c.picture(character_path + file_names::drawing), c.grey(labels_file));
 }
 
 Files animate_bones(const StageContext& c) {
@@ -107,9 +111,9 @@ Files render_pose(const StageContext& c) {
 
 Files export_files(const StageContext& c) {
     const Rig rig = rig_of(c);
-    return {{character_path + "mesh.obj", to_obj(rig, "mesh.mtl")},
-            {character_path + "mesh.mtl", to_mtl("drawing.png")},
-            {character_path + "character.glb", as_text(to_glb(rig, texture_of(c), animations_of(c)))}};
+    return {{character_path + file_names::mesh, to_obj(rig, file_names::material)},
+            {character_path + file_names::material, to_mtl(file_names::drawing)},
+            {character_path + file_names::glb, as_text(to_glb(rig, texture_of(c), animations_of(c)))}};
 }
 
 } // namespace
@@ -130,12 +134,13 @@ std::vector<Stage> motion_stages() {
         {"animate", with(rig, {identification_file, graph_file}), {animations_file}, animate_bones},
         {"skin", with(rig, {animations_file}), {posed_file}, pose},
         {"render",
-         with(rig, {animations_file, posed_file, character_path + "drawing.png", labels_file}),
+         with(rig, {animations_file, posed_file, character_path + file_names::drawing, labels_file}),
          {trace_path + "frame.png"},
          render_pose},
         {"export",
-         with(rig, {animations_file, character_path + "drawing.png", labels_file}),
-         {character_path + "mesh.obj", character_path + "mesh.mtl", character_path + "character.glb"},
+         with(rig, {animations_file, character_path + file_names::drawing, labels_file}),
+         {character_path + file_names::mesh, character_path + file_names::material,
+          character_path + file_names::glb},
          export_files},
     };
 }

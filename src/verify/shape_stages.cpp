@@ -4,9 +4,14 @@
 // and so is its result.
 #include <algorithm>
 
+#include "formats/contour_file.hpp"
+#include "formats/file_names.hpp"
+#include "formats/page_file.hpp"
+#include "formats/pictures.hpp"
+#include "formats/segmentation_file.hpp"
+#include "formats/skeleton_file.hpp"
+#include "formats/voronoi_file.hpp"
 #include "pantin/image.hpp"
-#include "pipeline/character.hpp"
-#include "pipeline/json_files.hpp"
 #include "verify/stage.hpp"
 #include "verify/step_files.hpp"
 
@@ -34,19 +39,19 @@ Files detect_characters(const StageContext& c) {
         page.characters.push_back(
             {"character-" + std::to_string(page.characters.size() + 1), d.box, d.scale, d.score});
     const DetectedCharacter& first = detection.characters.front();
-    return {{"page.json", page_to_json(page)},
+    return {{file_names::page, page_to_json(page)},
             {"trace/ink.png", png(to_grey(detection.ink))},
-            {character_path + "drawing.png", png(first.drawing)},
-            {character_path + "mask.png", png(to_grey(first.mask))}};
+            {character_path + file_names::drawing, png(first.drawing)},
+            {character_path + file_names::mask, png(to_grey(first.mask))}};
 }
 
 Files segment(const StageContext& c) {
     SegmentationOptions options = c.options.segmentation;
     options.threads = c.threads;
-    const Segmentation result = c.networks.segmenter().segment(c.picture(character_path + "drawing.png"),
-                                                               c.mask(character_path + "mask.png"), options);
-    return {{character_path + "segmentation.json", segmentation_to_json(result)},
-            {character_path + "labels.png", png(result.labels)},
+    const Segmentation result = c.networks.segmenter().segment(
+        c.picture(character_path + file_names::drawing), c.mask(character_path + file_names::mask), options);
+    return {{character_path + file_names::segmentation, segmentation_to_json(result)},
+            {character_path + file_names::labels, png(result.labels)},
             {trace_path + "probabilities.json", probabilities_to_json(result.probabilities)}};
 }
 
@@ -60,7 +65,7 @@ double merge_distance(const LabelMap& labels, const StageContext& c) {
 }
 
 Skeletonization whole(const StageContext& c) {
-    return skeletonize(c.grey(character_path + "labels.png"), c.options.skeletonization);
+    return skeletonize(c.grey(character_path + file_names::labels), c.options.skeletonization);
 }
 
 SkeletonGraph graph_of(const StageContext& c, const std::string& name) {
@@ -69,14 +74,14 @@ SkeletonGraph graph_of(const StageContext& c, const std::string& name) {
 
 Files contour(const StageContext& c) {
     const Skeletonization s = whole(c);
-    return {{trace_path + "silhouette.png", png(to_grey(s.mask))},
-            {character_path + "contour.json", contour_to_json(s.contour)}};
+    return {{trace_path + file_names::trace_silhouette, png(to_grey(s.mask))},
+            {character_path + file_names::contour, contour_to_json(s.contour)}};
 }
 
 Files voronoi(const StageContext& c) {
     const Skeletonization s = whole(c);
-    return {{trace_path + "voronoi.json", voronoi_to_json(s.voronoi, s.residuals)},
-            {trace_path + "voronoi.png", png(to_grey(s.voronoi_raster))}};
+    return {{trace_path + file_names::trace_voronoi, voronoi_to_json(s.voronoi, s.residuals)},
+            {trace_path + file_names::trace_voronoi_picture, png(to_grey(s.voronoi_raster))}};
 }
 
 // The ridges are nearly thin already; the whole silhouette meets every neighbourhood.
@@ -84,75 +89,92 @@ Files thin(const StageContext& c) {
     const auto thinned = [&](const char* file) {
         return png(to_grey(zhang_suen(c.mask(trace_path + file))));
     };
-    return {{trace_path + "thinned.png", thinned("voronoi.png")},
-            {trace_path + "thinned-silhouette.png", thinned("silhouette.png")}};
+    return {{trace_path + file_names::trace_thinned, thinned(file_names::trace_voronoi_picture)},
+            {trace_path + "thinned-silhouette.png", thinned(file_names::trace_silhouette)}};
 }
 
 Files reduce(const StageContext& c) {
     const auto reduced = [&](const char* file) {
         return png(to_grey(remove_redundant_pixels(c.mask(trace_path + file))));
     };
-    return {{character_path + "skeleton.png", reduced("thinned.png")},
+    return {{character_path + file_names::skeleton_picture, reduced(file_names::trace_thinned)},
             {trace_path + "reduced-silhouette.png", reduced("thinned-silhouette.png")}};
 }
 
 Files graph(const StageContext& c) {
-    const SkeletonGraph raw =
-        extract_graph(c.mask(character_path + "skeleton.png"), c.grey(character_path + "labels.png"));
-    return {{trace_path + "skeleton-raw.json", skeleton_to_json(raw)}};
+    const SkeletonGraph raw = extract_graph(c.mask(character_path + file_names::skeleton_picture),
+                                            c.grey(character_path + file_names::labels));
+    return {{trace_path + file_names::trace_skeleton_raw, skeleton_to_json(raw)}};
 }
 
 Files h1(const StageContext& c) {
-    return {{trace_path + "skeleton-h1.json",
-             skeleton_to_json(apply_h1(graph_of(c, trace_path + "skeleton-raw.json")))}};
+    return {{trace_path + file_names::trace_skeleton_h1,
+             skeleton_to_json(apply_h1(graph_of(c, trace_path + file_names::trace_skeleton_raw)))}};
 }
 
 Files h2(const StageContext& c) {
-    const double distance = merge_distance(c.grey(character_path + "labels.png"), c);
-    return {{character_path + "skeleton.json",
-             skeleton_to_json(apply_h2(graph_of(c, trace_path + "skeleton-h1.json"), distance))}};
+    const double distance = merge_distance(c.grey(character_path + file_names::labels), c);
+    return {{character_path + file_names::skeleton,
+             skeleton_to_json(apply_h2(graph_of(c, trace_path + file_names::trace_skeleton_h1), distance))}};
 }
 
 Files skeleton(const StageContext& c) {
     const Skeletonization s = whole(c);
-    return {{trace_path + "thinned.png", png(to_grey(s.thinned))},
-            {character_path + "skeleton.png", png(to_grey(s.skeleton))},
-            {trace_path + "skeleton-raw.json", skeleton_to_json(s.raw)},
-            {trace_path + "skeleton-h1.json", skeleton_to_json(s.after_h1)},
-            {character_path + "skeleton.json", skeleton_to_json(s.graph)}};
+    return {{trace_path + file_names::trace_thinned, png(to_grey(s.thinned))},
+            {character_path + file_names::skeleton_picture, png(to_grey(s.skeleton))},
+            {trace_path + file_names::trace_skeleton_raw, skeleton_to_json(s.raw)},
+            {trace_path + file_names::trace_skeleton_h1, skeleton_to_json(s.after_h1)},
+            {character_path + file_names::skeleton, skeleton_to_json(s.graph)}};
 }
 
 } // namespace
 
 std::vector<Stage> shape_stages() {
-    const std::string labels = character_path + "labels.png";
+    const std::string labels = character_path + file_names::labels;
     return {
         {"find", {page_file}, {"found.json"}, find, Stage::found_by_network},
         {"detect",
          {page_file},
-         {"page.json", "trace/ink.png", character_path + "drawing.png", character_path + "mask.png"},
+         {file_names::page, "trace/ink.png", character_path + file_names::drawing,
+          character_path + file_names::mask},
          detect_characters},
         {"segment",
-         {character_path + "drawing.png", character_path + "mask.png"},
-         {trace_path + "probabilities.json", character_path + "segmentation.json", labels},
+         {character_path + file_names::drawing, character_path + file_names::mask},
+         {trace_path + "probabilities.json", character_path + file_names::segmentation, labels},
          segment},
-        {"contour", {labels}, {trace_path + "silhouette.png", character_path + "contour.json"}, contour},
-        {"voronoi", {labels}, {trace_path + "voronoi.json", trace_path + "voronoi.png"}, voronoi},
+        {"contour",
+         {labels},
+         {trace_path + file_names::trace_silhouette, character_path + file_names::contour},
+         contour},
+        {"voronoi",
+         {labels},
+         {trace_path + file_names::trace_voronoi, trace_path + file_names::trace_voronoi_picture},
+         voronoi},
         {"thin",
-         {trace_path + "voronoi.png", trace_path + "silhouette.png"},
-         {trace_path + "thinned.png", trace_path + "thinned-silhouette.png"},
+         {trace_path + file_names::trace_voronoi_picture, trace_path + file_names::trace_silhouette},
+         {trace_path + file_names::trace_thinned, trace_path + "thinned-silhouette.png"},
          thin},
         {"reduce",
-         {trace_path + "thinned.png", trace_path + "thinned-silhouette.png"},
-         {character_path + "skeleton.png", trace_path + "reduced-silhouette.png"},
+         {trace_path + file_names::trace_thinned, trace_path + "thinned-silhouette.png"},
+         {character_path + file_names::skeleton_picture, trace_path + "reduced-silhouette.png"},
          reduce},
-        {"graph", {character_path + "skeleton.png", labels}, {trace_path + "skeleton-raw.json"}, graph},
-        {"h1", {trace_path + "skeleton-raw.json"}, {trace_path + "skeleton-h1.json"}, h1},
-        {"h2", {trace_path + "skeleton-h1.json", labels}, {character_path + "skeleton.json"}, h2},
+        {"graph",
+         {character_path + file_names::skeleton_picture, labels},
+         {trace_path + file_names::trace_skeleton_raw},
+         graph},
+        {"h1",
+         {trace_path + file_names::trace_skeleton_raw},
+         {trace_path + file_names::trace_skeleton_h1},
+         h1},
+        {"h2",
+         {trace_path + file_names::trace_skeleton_h1, labels},
+         {character_path + file_names::skeleton},
+         h2},
         {"skeletonize",
          {labels},
-         {trace_path + "thinned.png", character_path + "skeleton.png", trace_path + "skeleton-raw.json",
-          trace_path + "skeleton-h1.json", character_path + "skeleton.json"},
+         {trace_path + file_names::trace_thinned, character_path + file_names::skeleton_picture,
+          trace_path + file_names::trace_skeleton_raw, trace_path + file_names::trace_skeleton_h1,
+          character_path + file_names::skeleton},
          skeleton},
     };
 }

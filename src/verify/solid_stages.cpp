@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The modeling room: the parts of a drawing to strokes, a skeleton in space, an inflated part, one closed
 // surface and its weights.
+#include "formats/file_names.hpp"
+#include "formats/model_file.hpp"
 #include "pantin/export.hpp"
 #include "pantin/model_view.hpp"
-#include "pipeline/solid.hpp"
 #include "verify/stage.hpp"
 #include "verify/step_files.hpp"
 
@@ -11,8 +12,9 @@ namespace pantin {
 
 namespace {
 
-const std::string labels_file = character_path + "labels.png", strokes_file = model_path + "strokes.json",
-                  model_file = model_path + "model.json", solid_file = model_path + "solid.json";
+const std::string labels_file = character_path + file_names::labels,
+                  strokes_file = model_path + file_names::strokes,
+                  model_file = model_path + file_names::model, solid_file = model_path + "solid.json";
 
 Strokes strokes_of(const StageContext& c) { return strokes_from_json(c.text(strokes_file), strokes_file); }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "verify/step_files.hpp"
+#include "formats/file_names.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include "core/digest.hpp"
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
-#include "pipeline/character.hpp"
+#include "formats/weights_file.hpp"
 
 namespace pantin {
 
@@ -178,7 +179,7 @@ Rig rig_from_files(const std::string& mesh, const std::string& bones, const std:
     rig.mesh.faces = list_of(reader.at("faces"), indices);
     rig.texture = list_of(reader.at("texture"), point);
     rig.bones = list_of(JsonReader(bones_json, "bones.json").at("bones"), bone);
-    rig.weights = weights_from_text(weights, "weights.txt", rig);
+    rig.weights = weights_from_text(weights, file_names::weights, rig);
     rig.depth = list_of(JsonReader(depths_json, "depths.json").at("depths"), real);
     return rig;
 }

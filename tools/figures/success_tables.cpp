@@ -8,9 +8,10 @@
 #include "core/file.hpp"
 #include "figures/results.hpp"
 #include "figures/svg.hpp"
+#include "formats/identification_file.hpp"
+#include "formats/skeleton_file.hpp"
 #include "pantin/evaluation.hpp"
 #include "pantin/image.hpp"
-#include "pipeline/json_files.hpp"
 
 namespace pantin::figures {
 namespace {

@@ -18,7 +18,6 @@
 #include "animation/footing.hpp"
 #include "animation/vector.hpp"
 #include "pipeline/character.hpp"
-#include "pipeline/clips.hpp"
 #include "reference/tracks.hpp"
 
 using namespace pantin;
@@ -147,13 +146,10 @@ int main(int argc, char** argv) {
         Settings settings;
         settings.options = make_preset(argv[1]);
         for (int i = 2; i < argc; ++i) {
-            Workshop workshop(settings);
-            Character character;
-            character.folder = argv[i];
-            const Rig& rig = rig_of(character, workshop);
-            const ReferenceSkeleton& reference = reference_of(character, workshop);
-            for (const BoneAnimation& animation : animations_of(rig, reference, workshop))
-                measure(argv[i], reference, rig, animation);
+            Context context(settings);
+            const Character character = load_character(argv[i], Step::render, context);
+            for (const BoneAnimation& animation : character.animations)
+                measure(argv[i], character.reference, character.rig, animation);
         }
     } catch (const Error& error) {
         std::fprintf(stderr, "motion_quality: %s\n", error.what());

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "pipeline/solid.hpp"
-
-#include <nlohmann/json.hpp>
+#include "formats/model_file.hpp"
 
 #include "core/file.hpp"
-#include "core/json.hpp"
-#include "core/json_reader.hpp"
+#include "formats/file_names.hpp"
+#include "formats/json_values.hpp"
 
 namespace pantin {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr int largest_side = 16384;
-constexpr double huge = 1e15;
 
 Json part_to_json(const Model& model, std::size_t index) {
     const ModelPart& part = model.parts()[index];
@@ -60,8 +53,8 @@ SeenFrom view_from_json(const std::string& text, const std::string& file) {
     const Json json = parse_json(text, file);
     const JsonReader reader = JsonReader(json, file).at("view");
     ModelView view;
-    view.width = static_cast<int>(reader.at("width").integer(1, largest_side));
-    view.height = static_cast<int>(reader.at("height").integer(1, largest_side));
+    view.width = read_int(reader.at("width"), 1, max_side);
+    view.height = read_int(reader.at("height"), 1, max_side);
     view.scale = reader.at("scale").number(1e-12, huge);
     const auto pair = [&](const char* key) {
         const std::vector<JsonReader> xy = reader.at(key).elements(2, 2);
@@ -74,8 +67,13 @@ SeenFrom view_from_json(const std::string& text, const std::string& file) {
     return {view, texture.text() == "drawing"};
 }
 
+bool is_model_folder(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    return std::filesystem::exists(folder / file_names::strokes, ignored);
+}
+
 Solid read_solid(const std::filesystem::path& folder, const ModelOptions& options) {
-    const std::filesystem::path strokes = folder / "strokes.json", file = folder / "model.json";
+    const std::filesystem::path strokes = folder / file_names::strokes, file = folder / file_names::model;
     Model model(strokes_from_json(read_text(strokes), strokes.string()), options);
     SolidMesh mesh = model.united();
     const SeenFrom seen = view_from_json(read_text(file), file.string());

@@ -8,7 +8,8 @@
 #include <map>
 #include <string>
 
-#include "pantin/pipeline.hpp"
+#include "pantin/image.hpp"
+#include "pantin/rigging.hpp"
 
 namespace pantin {
 

@@ -4,13 +4,13 @@
 
 #include <filesystem>
 
-#include "pantin/detection.hpp"
+#include "pantin/grid.hpp"
 #include "pantin/segmentation.hpp"
 #include "pantin/skeletonization.hpp"
 
 namespace pantin {
 
-void trace_detection(const std::filesystem::path& folder, const Detection& detection);
+void trace_detection(const std::filesystem::path& folder, const Mask& ink);
 void trace_segmentation(const std::filesystem::path& folder, const Segmentation& segmentation);
 void trace_skeletonization(const std::filesystem::path& folder, const Skeletonization& skeletonization);
 

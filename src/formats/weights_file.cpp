@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Reads weights.txt (docs/formats.md) back: the bones must be those of the rig, every vertex needs its line.
+#include "formats/weights_file.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <sstream>
 
-#include "pipeline/character.hpp"
+#include "pantin/error.hpp"
 
 namespace pantin {
 

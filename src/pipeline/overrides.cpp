@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "pipeline/given.hpp"
+#include "pipeline/overrides.hpp"
 
 #include <algorithm>
 
+#include "formats/animated_drawings.hpp"
+#include "formats/file_names.hpp"
+#include "formats/pictures.hpp"
 #include "pantin/image.hpp"
-#include "pipeline/animated_drawings.hpp"
-#include "pipeline/character.hpp"
 
 namespace pantin {
 
@@ -24,24 +25,24 @@ GreyImage load_beside(const fs::path& file, const RgbImage& page, const fs::path
 } // namespace
 
 fs::path picture_of(const fs::path& image) {
-    return is_animated_drawings_folder(image) ? image / "texture.png" : image;
+    return is_animated_drawings_folder(image) ? image / file_names::texture : image;
 }
 
 std::optional<GivenCharacter> given_character(const RgbImage& page, const fs::path& image,
-                                              const Settings& settings) {
-    Given given = settings.given;
-    const bool has_joints = is_animated_drawings_folder(image) && given.labels.empty();
-    if (has_joints && given.mask.empty()) given.mask = image / "mask.png";
-    if (given.mask.empty() && given.labels.empty()) return std::nullopt;
+                                              const Settings& settings, const DetectionOptions& options) {
+    Overrides overrides = settings.overrides;
+    const bool has_joints = is_animated_drawings_folder(image) && overrides.labels.empty();
+    if (has_joints && overrides.mask.empty()) overrides.mask = image / file_names::mask;
+    if (overrides.mask.empty() && overrides.labels.empty()) return std::nullopt;
     Mask mask(page.width(), page.height(), 1);
     LabelMap labels;
-    if (!given.mask.empty()) {
-        mask = load_beside(given.mask, page, image, settings.rotate);
+    if (!overrides.mask.empty()) {
+        mask = load_beside(overrides.mask, page, image, settings.rotate);
         for (std::uint8_t& pixel : mask) pixel = pixel >= 128;
     }
-    if (!given.labels.empty()) {
-        labels = load_beside(given.labels, page, image, settings.rotate);
-        check_labels(labels, given.labels);
+    if (!overrides.labels.empty()) {
+        labels = load_beside(overrides.labels, page, image, settings.rotate);
+        check_labels(labels, overrides.labels);
         for (std::size_t i = 0; i < mask.size(); ++i) {
             if (!mask.data()[i]) labels.data()[i] = 0;
             mask.data()[i] = labels.data()[i] != 0;
@@ -50,10 +51,10 @@ std::optional<GivenCharacter> given_character(const RgbImage& page, const fs::pa
     if (has_joints && settings.rotate != 0)
         throw Error(ErrorKind::usage, "--rotate does not go with the joints of " + image.string());
     if (has_joints) labels = labels_from_joints(mask, read_joints(image, page.width(), page.height()));
-    const fs::path& file = given.labels.empty() ? given.mask : given.labels;
+    const fs::path& file = overrides.labels.empty() ? overrides.mask : overrides.labels;
     if (std::count(mask.begin(), mask.end(), 1) == 0)
         throw Error(ErrorKind::input, file.string() + ": has no pixel of the character");
-    GivenCharacter character{character_of(page, mask, settings.options.detection), std::nullopt};
+    GivenCharacter character{character_of(page, mask, options), std::nullopt};
     const Mask& small = character.detected.mask;
     if (!labels.empty())
         character.labels =

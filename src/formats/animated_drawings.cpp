@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pipeline/animated_drawings.hpp"
+#include "formats/animated_drawings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/file.hpp"
+#include "formats/file_names.hpp"
 #include "pantin/image.hpp"
 #include "pantin/motion.hpp"
 
@@ -21,8 +22,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using Joints = std::map<std::string, Point2d>;
-
-constexpr const char* config_name = "char_cfg.yaml";
 
 struct Segment {
     Label label;
@@ -140,13 +139,15 @@ Joints parse_joints(const std::string& text, const std::string& file, int width,
 
 bool is_animated_drawings_folder(const fs::path& folder) {
     std::error_code ignored;
-    return fs::is_directory(folder, ignored) && fs::exists(folder / config_name, ignored);
+    return fs::is_directory(folder, ignored) &&
+           fs::exists(folder / file_names::animated_drawings_config, ignored);
 }
 
 std::map<std::string, Point2d> read_joints(const fs::path& folder, int width, int height) {
-    const std::string file = (folder / config_name).string();
+    const std::string file = (folder / file_names::animated_drawings_config).string();
 #ifdef PANTIN_YAML
-    return parse_joints(read_text(folder / config_name, std::size_t{1} << 20), file, width, height);
+    return parse_joints(read_text(folder / file_names::animated_drawings_config, std::size_t{1} << 20), file,
+                        width, height);
 #else
     static_cast<void>(width), static_cast<void>(height);
     throw Error(ErrorKind::input, file + ": this pantin was built without YAML");
@@ -182,9 +183,10 @@ bool write_animated_drawings(const fs::path& folder, const Rig& rig, const Refer
     std::transform(texture.begin(), texture.end(), mask.begin(),
                    [](const Rgba8& p) { return static_cast<std::uint8_t>(p.a >= 128 ? 255 : 0); });
     create_folder(folder);
-    save_png(folder / "texture.png", texture);
-    save_png(folder / "mask.png", mask);
-    write_file(folder / config_name, config_text(*joints, texture.width(), texture.height()));
+    save_png(folder / file_names::texture, texture);
+    save_png(folder / file_names::mask, mask);
+    write_file(folder / file_names::animated_drawings_config,
+               config_text(*joints, texture.width(), texture.height()));
     return true;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A model's folder: the model and how its pictures were taken.
+// model.json and strokes.json of a model's folder: the model and the view that its pictures show
+// (docs/formats.md).
 #pragma once
 
 #include <filesystem>
@@ -14,7 +15,8 @@ struct Solid {
     ModelView view;
     std::vector<Rgb8> colours; // none: the drawing is projected on (a scanned character)
 };
-// From strokes.json and the view of model.json. Error(input).
+bool is_model_folder(const std::filesystem::path& folder); // has a strokes.json
+// From strokes.json and the view of model.json. Error(input) names the file, the place and the fact.
 Solid read_solid(const std::filesystem::path& folder, const ModelOptions& options);
 
 std::string model_to_json(const Model& model, const ModelView& view, bool projected);

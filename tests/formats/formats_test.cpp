@@ -7,8 +7,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/character.hpp"
-#include "pipeline/json_files.hpp"
+#include "formats/identification_file.hpp"
+#include "formats/mapping_file.hpp"
+#include "formats/page_file.hpp"
+#include "formats/skeleton_file.hpp"
+#include "formats/voronoi_file.hpp"
+#include "formats/weights_file.hpp"
 
 using namespace pantin;
 

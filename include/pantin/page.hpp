@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// A page and the characters that were found on it, as page.json lists them (docs/formats.md).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pantin/detection.hpp"
+
+namespace pantin {
+
+struct PageCharacter {
+    std::string folder;          // name below the page's folder, "character-1"
+    Box box;                     // page pixels
+    double scale = 1, score = 0; // working pixels per page pixel; detector's score, 0 to 1
+    std::string status = "ok";   // or "step: reason", or unfinished_status
+};
+// Of a character whose page `animate` is still at work on, or was when it was cut off.
+inline constexpr const char* unfinished_status = "unfinished";
+
+struct Page {
+    std::string source;                    // file name of the picture
+    int rotate = 0;                        // degrees by which the picture was first turned clockwise
+    int width = 0, height = 0;             // after that, pixels
+    std::string detector = "contour";      // or "mask-rcnn", or "given"
+    std::vector<PageCharacter> characters; // left to right, then top to bottom
+};
+
+// Reads a page.json. Error(input) names the file, the place and the fact. Own format.
+Page read_page(const std::filesystem::path& file);
+
+} // namespace pantin

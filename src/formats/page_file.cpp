@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "formats/page_file.hpp"
+
+#include "core/file.hpp"
+#include "formats/file_names.hpp"
+#include "formats/json_values.hpp"
+
+namespace pantin {
+
+namespace {
+
+PageCharacter read_page_character(const JsonReader& reader) {
+    PageCharacter character;
+    character.folder = reader.at("folder").text();
+    // The folder is opened and its files are replaced: it must lie directly below the page's folder.
+    if (character.folder.empty() || character.folder[0] == '.' ||
+        character.folder.find('/') != std::string::npos)
+        reader.at("folder").fail("must be the name of a folder");
+    const std::vector<JsonReader> box = reader.at("box").elements(4, 4);
+    character.box = {read_int(box[0], 0, max_side), read_int(box[1], 0, max_side),
+                     read_int(box[2], 1, max_side), read_int(box[3], 1, max_side)};
+    character.scale = reader.at("scale").number(0, 1);
+    character.score = reader.at("score").number(0, 1);
+    character.status = reader.at("status").text();
+    return character;
+}
+
+} // namespace
+
+std::string page_to_json(const Page& page) {
+    Json json;
+    json["source"] = page.source;
+    if (page.rotate != 0) json["rotate"] = page.rotate;
+    json["width"] = page.width;
+    json["height"] = page.height;
+    json["detector"] = page.detector;
+    json["characters"] = Json::array();
+    for (const PageCharacter& character : page.characters) {
+        Json item;
+        item["folder"] = character.folder;
+        item["box"] =
+            Json::array({character.box.x, character.box.y, character.box.width, character.box.height});
+        item["scale"] = character.scale;
+        item["score"] = character.score;
+        item["status"] = character.status;
+        json["characters"].push_back(item);
+    }
+    return to_json_text(json);
+}
+
+Page page_from_json(const std::string& text, const std::string& file) {
+    const Json json = parse_json(text, file);
+    const JsonReader reader(json, file);
+    Page page;
+    page.source = reader.at("source").text();
+    if (reader.has("rotate")) page.rotate = read_int(reader.at("rotate"), 0, 270);
+    page.width = read_int(reader.at("width"), 1, max_side);
+    page.height = read_int(reader.at("height"), 1, max_side);
+    page.detector = reader.at("detector").text();
+    for (const JsonReader& item : reader.at("characters").elements())
+        page.characters.push_back(read_page_character(item));
+    return page;
+}
+
+void write_page(const std::filesystem::path& out, const Page& page) {
+    write_file(out / file_names::page, page_to_json(page));
+}
+
+Page read_page(const std::filesystem::path& file) { return page_from_json(read_text(file), file.string()); }
+
+} // namespace pantin

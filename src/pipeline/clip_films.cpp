@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/clip_films.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "formats/file_names.hpp"
+
+namespace pantin {
+
+namespace {
+
+View view_for(const Rig& rig, const BoneAnimation& animation, const std::vector<BoneAnimation>& all,
+              const std::string& motion) {
+    if (animation.name == motion) return view_of(rig, {animation});
+    std::vector<BoneAnimation> clips;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(clips),
+                 [&](const BoneAnimation& a) { return a.name != motion; });
+    return view_of(rig, clips);
+}
+
+} // namespace
+
+std::vector<ClipFilm> clip_films(const Character& c, Context& context) {
+    if (c.animations.empty()) throw CharacterRejected("render", "the " + c.reference.name + " has no clips");
+    const std::string& wanted = context.settings().render.clip;
+    const std::string motion = context.motion() ? context.motion()->motion.name : "";
+    std::vector<ClipFilm> films;
+    std::string names;
+    for (const BoneAnimation& animation : c.animations) {
+        names += (names.empty() ? "" : ", ") + animation.name;
+        if (wanted != "all" && animation.name != wanted) continue;
+        const bool first = &animation == &c.animations.front();
+        films.push_back(
+            {animation, view_for(c.rig, animation, c.animations, motion),
+             first ? file_names::animation : std::string(file_names::animation) + "-" + animation.name,
+             first});
+        if (wanted != "all") break;
+    }
+    if (films.empty())
+        throw CharacterRejected("render",
+                                "the " + c.reference.name + " has no clip '" + wanted + "' (" + names + ")");
+    return films;
+}
+
+} // namespace pantin

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/context.hpp"
+
+#include "core/file.hpp"
+
+namespace pantin {
+
+namespace {
+
+Options options_of(const Settings& settings) {
+    Options options = settings.options;
+    options.detection.threads = settings.threads;
+    options.segmentation.threads = settings.threads;
+    options.identification.reference = settings.overrides.reference;
+    return options;
+}
+
+} // namespace
+
+Context::Context(const Settings& settings)
+    : settings_(settings), options_(options_of(settings)), own_(std::in_place, settings.weights),
+      networks_(*own_) {}
+
+Context::Context(const Settings& settings, Networks& networks)
+    : settings_(settings), options_(options_of(settings)), networks_(networks) {}
+
+void Context::prepare() {
+    segmenter();
+    references();
+    motion();
+    if (const std::string& name = settings_.overrides.reference; !name.empty())
+        find_reference(references(), name);
+}
+
+const std::vector<ReferenceSkeleton>& Context::references() {
+    if (!references_) references_ = load_references(settings_.references);
+    return *references_;
+}
+
+const NamedMotion* Context::motion() {
+    const std::filesystem::path& file = settings_.motion;
+    if (file.empty()) return nullptr;
+    if (!motion_) {
+        Motion motion = parse_bvh(read_text(file), file.string());
+        motion.name = file.stem().string();
+        const MotionJoints joints = match_joints(motion, file.string());
+        for (const auto& [part, joint] : match_table(motion, joints))
+            notice(motion.name + ": " + part + ": " + joint);
+        motion_ = {std::move(motion), joints};
+    }
+    return &*motion_;
+}
+
+} // namespace pantin

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Step 1 (thesis 4.2) with its files: a picture to page.json and a folder for each character.
+#pragma once
+
+#include <filesystem>
+
+#include "pipeline/animated_page.hpp"
+
+namespace pantin {
+
+// Detection, or the characters that the user gives (overrides.hpp). In the page they are unfinished.
+// Error(input, no_character) names the picture; nothing is written.
+AnimatedPage detect_characters(const std::filesystem::path& image, Context& context);
+
+// Replaces the results of a former run in `out` by page.json, drawings and masks.
+void save_detection(const std::filesystem::path& out, const AnimatedPage& detected, bool trace);
+
+// Error(input) when it is none.
+void require_folder(const std::filesystem::path& folder);
+// Keeps the entry of the character in the page.json beside its folder; a folder may also stand alone.
+void set_status(const std::filesystem::path& folder, const std::string& status);
+
+} // namespace pantin
