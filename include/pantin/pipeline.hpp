@@ -70,7 +70,7 @@ struct RenderRequest {
 struct Given {
     std::filesystem::path mask; // grey PNG, the one character is where it is at least 128
     std::filesystem::path
-        labels; // grey PNG of label values 0 to 5; without a mask the character is where they are not 0
+        labels;            // grey PNG of label values; without a mask the character is where they are not 0
     std::string reference; // name of the reference that every character moves like
 };
 

@@ -5,6 +5,7 @@
 
 #include "core/file.hpp"
 #include "explain/chapters.hpp"
+#include "explain/palette.hpp"
 #include "explain/picture_size.hpp"
 #include "explain/svg.hpp"
 #include "pantin/explain.hpp"
@@ -128,7 +129,7 @@ std::string page_text(DetectedPage& detected, Workshop& workshop) {
         add_character(text, {detected.page.characters[i].folder, detected.page.characters[i],
                              detected.characters[i], workshop});
     return filled(asset("page.html"), {{"source", escaped(detected.page.source)},
-                                       {"style", std::string(asset("page.css"))},
+                                       {"style", label_styles() + std::string(asset("page.css"))},
                                        {"contents", text.contents},
                                        {"page", filled(asset("chapters/page.html"), page)},
                                        {"chapters", text.chapters},
