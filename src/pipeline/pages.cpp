@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "core/file.hpp"
+#include "export/film_formats.hpp"
 #include "pantin/image.hpp"
 #include "pipeline/given.hpp"
 #include "pipeline/json_files.hpp"
@@ -21,7 +22,6 @@ constexpr const char* own_files[] = {"drawing.png",   "mask.png",      "labels.p
                                      "contour.json",  "skeleton.png",  "skeleton.json", "identification.json",
                                      "mapping.json",  "mesh.obj",      "mesh.mtl",      "weights.txt",
                                      "character.glb", "skeletons.png", "skeletons.json"};
-constexpr const char* film_endings[] = {".webp", ".gif", ".apng", ".mp4", ".bvh"};
 
 // A run that was killed may leave the beginning of a file: `.<name>.<process>.part`, and `<name>.mp4.part` of
 // ffmpeg.
@@ -33,17 +33,21 @@ std::string without_part(const std::string& name) {
     return begun.starts_with('.') && process > 1 ? begun.substr(1, process - 1) : name;
 }
 
+// Whether the test holds for the ending of a film format.
+bool is_film(const auto& test) {
+    return std::ranges::any_of(film_formats(),
+                               [&](const FilmFormat& f) { return !f.ending.empty() && test(f.ending); });
+}
+
 bool is_page_file(const std::string& name) {
     return name == "page.json" ||
-           std::any_of(std::begin(film_endings), std::end(film_endings),
-                       [&](const char* ending) { return name == "scene" + std::string(ending); });
+           is_film([&](std::string_view ending) { return name == "scene" + std::string(ending); });
 }
 
 bool is_own_file(const std::string& name) {
     if (std::find(std::begin(own_files), std::end(own_files), name) != std::end(own_files)) return true;
-    if (!name.starts_with("animation")) return false;
-    return std::any_of(std::begin(film_endings), std::end(film_endings),
-                       [&](const char* ending) { return name.ends_with(ending); });
+    return name.starts_with("animation") &&
+           is_film([&](std::string_view ending) { return name.ends_with(ending); });
 }
 
 void remove_files(const fs::path& folder, bool (*is_ours)(const std::string&)) {

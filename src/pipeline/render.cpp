@@ -48,8 +48,7 @@ void run_render(Character& character, Workshop& workshop) {
     for (const BoneAnimation& animation : chosen(all, reference.name, settings.render.clip)) {
         const bool first = animation.name == all.front().name;
         const std::string name = first ? "animation" : "animation-" + animation.name;
-        if (wants(settings.render, "bvh", first))
-            write_file(character.folder / (name + ".bvh"), to_bvh(rig, animation));
+        write_motions(rig, animation, character.folder, name, settings.render, first);
         if (!wants_pictures(settings.render)) continue;
         write_film(shoot(rig, animation, texture, view_for(rig, animation, all, motion), settings),
                    character.folder, name, character.folder / "frames" / animation.name, settings.render,
