@@ -43,7 +43,7 @@ struct Options {
     AnimationOptions animation;
 };
 
-// "default" or "thesis" (the paper to the letter where it can be, with its errata applied).
+// "default" or "thesis" (the thesis to the letter where it can be, with its errata applied).
 // Error(usage) for another name.
 Options make_preset(std::string_view name);
 // Sets the options that a JSON file names, as `{"skeletonization": {"residual_threshold": 20}}` or as

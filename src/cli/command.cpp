@@ -57,7 +57,7 @@ void check_formats(const std::vector<std::string>& formats) {
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
     command
-        .add_option("--preset", options.preset, "default (best results) or thesis (the paper to the letter)")
+        .add_option("--preset", options.preset, "default (best results) or thesis (the thesis to the letter)")
         ->capture_default_str();
     command.add_option("--config", options.config, "JSON file that sets any option by its name");
     command

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A file descriptor in, lines of a bounded length out, each as soon as it is there (own; docs/batch.md).
 #include "core/lines.hpp"
 
 #include <algorithm>

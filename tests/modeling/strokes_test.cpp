@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Strokes as JSON and SVG: read, written, put right, refused.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
