@@ -22,7 +22,7 @@ enum class ErrorKind {
 
 class Error : public std::runtime_error {
 public:
-    // message: one line without its end, "file: place: fact".
+    // message: one line without its end, "file: place: fact". No error of its own.
     Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
     ErrorKind kind() const { return kind_; }
 

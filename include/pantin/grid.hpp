@@ -10,7 +10,7 @@
 
 namespace pantin {
 
-// Indices outside are programming errors: asserted, not thrown. Own.
+// Sides and indices in elements; what is outside is a programming error, asserted, not thrown. Own.
 template <class T> class Grid {
 public:
     Grid() = default;

@@ -47,12 +47,12 @@ inline constexpr std::array<LabelRow, label_count> label_table = {{
 }};
 // clang-format on
 
-// The row of the label; of `background` for `count` and what is none. No error.
+// The row of the label; of `background` for `count` and what is none. No error. Own.
 inline constexpr const LabelRow& row_of(Label label) {
     return label < Label::count ? label_table[static_cast<std::size_t>(label)] : label_table[0];
 }
 
-// One column of the table, indexed by label: `label_column(&LabelRow::colour)`. No error.
+// One column of the table, indexed by label: `label_column(&LabelRow::colour)`. No error. Own.
 template <class T> constexpr std::array<T, label_count> label_column(T LabelRow::*field) {
     std::array<T, label_count> column{};
     for (std::size_t i = 0; i < column.size(); ++i) column[i] = label_table[i].*field;
@@ -68,20 +68,20 @@ inline constexpr std::array<Label, label_count - 1> part_labels = [] {
     return labels;
 }();
 
-// The name of the label, as in files. No error.
+// The name of the label, as in files. No error. Own.
 inline constexpr std::string_view name_of(Label label) { return row_of(label).name; }
 
-// What the part is to identification and rigging. No error.
+// What the part is to identification and rigging. No error. Own.
 inline constexpr PartRole role_of(Label label) { return row_of(label).role; }
 
-// The label of that name; `background` when there is none.
+// The label of that name; `background` when there is none. No error. Own.
 inline constexpr Label label_from_name(std::string_view name) {
     for (const LabelRow& row : label_table)
         if (row.name == name) return row.label;
     return Label::background;
 }
 
-// "head, body, limb, tail or wing", for messages. No error.
+// "head, body, limb, tail or wing", for messages. No error. Own.
 inline std::string listed_parts() {
     std::string text;
     for (const Label label : part_labels) {
@@ -91,13 +91,13 @@ inline std::string listed_parts() {
     return text;
 }
 
-// A set of labels.
+// A set of labels; made of a list, no error. Own.
 class LabelSet {
 public:
     constexpr LabelSet(std::initializer_list<Label> labels) {
         for (const Label label : labels) bits_ |= bit(label);
     }
-    // All labels with one of the roles. No error.
+    // All labels with one of the roles. No error. Own.
     static constexpr LabelSet with_role(std::initializer_list<PartRole> roles) {
         LabelSet set({});
         for (const LabelRow& row : label_table)
@@ -105,7 +105,7 @@ public:
                 if (row.role == role) set.bits_ |= bit(row.label);
         return set;
     }
-    // No error: a value that is no label is in no set.
+    // No error: a value that is no label is in no set. Own.
     constexpr bool contains(Label label) const { return (bits_ & bit(label)) != 0; }
 
 private:
