@@ -90,7 +90,7 @@ def skinned(model, values):
 
 
 def poses(model):
-    """The rest pose and every key of every clip: what view_of looks at."""
+    """The rest pose and every key of every clip: what view_of covers."""
     yield {}
     for clip in model.json["animations"]:
         channels = [((c["target"]["node"], c["target"]["path"]), model.array(clip["samplers"][c["sampler"]]["output"]))
