@@ -59,8 +59,8 @@ std::vector<std::pair<std::string, std::string>> list_options(const Options& opt
 struct RenderRequest {
     std::string clip = "all"; // a clip of the reference, or all
     double fps = 25;          // 1 … 100
-    std::vector<std::string>
-        formats;        // of webp, gif, apng, mp4, png, bvh; empty: webp, and gif for the first clip
+    // Names of the table in src/export/film_formats.cpp; empty: webp, and gif for the first clip.
+    std::vector<std::string> formats;
     bool scene = false; // `animate`: the whole page as one film, too
     RenderOptions picture;
 };
