@@ -18,8 +18,8 @@ struct Quaternion {
     double x = 0, y = 0, z = 0, w = 1;
 };
 
-// 3D: right-handed, y up, the drawing in the plane z = 0, origin at the bottom centre of the crop, one unit =
-// its height.
+// World units: right-handed, y up, the drawing in the plane z = 0, origin at the bottom centre of the crop,
+// one unit = its height. `width`, `height`: of the working crop, pixels; `depth`: world units. No error. Own.
 Vec3 to_world(Point2d working_pixel, int width, int height, double depth = 0);
 
 // A clip on the character's own bones, sampled at fixed times.
@@ -33,13 +33,16 @@ struct BoneAnimation {
     // left; 0: none.
     double ground_speed = 0;
 };
-// Samples `samples` + 1 key poses of a reference's clip on the rig's bones.
+// Samples `samples` + 1 key poses of a reference's clip on the rig's bones, evenly over its duration. The
+// clip is one of that reference; samples ≥ 1. No error. Thesis 3.3 (Fig. 3.12) and 6.1.
 BoneAnimation retarget(const Rig& rig, const ReferenceSkeleton& reference, const ReferenceClip& clip,
                        int samples = 24);
 
-// World positions of all mesh vertices at `time`.
+// World positions of all mesh vertices at `time`, seconds; beyond the duration the clip repeats. No error.
+// Thesis 3.3 (Fig. 3.8): linear blend skinning.
 std::vector<Vec3> skin(const Rig& rig, const BoneAnimation& animation, double time);
-// Unit normals of a posed mesh's vertices, pointing outward: means of their faces', weighted by area.
+// Unit normals of a posed mesh's vertices, one a vertex, pointing outward: means of their faces', weighted by
+// area. No error. Own.
 std::vector<Vec3> vertex_normals(const Mesh& mesh, const std::vector<Vec3>& vertices);
 
 struct RenderOptions {
@@ -52,28 +55,35 @@ struct RenderOptions {
 struct View {
     double left = 0, bottom = 0, width = 1, height = 1;
 };
+// The view of the pose at rest and all key poses, world units. No error. Own.
 View view_of(const Rig& rig, const std::vector<BoneAnimation>& animations);
-// Texture: the drawing; `alpha` cuts it to the silhouette at the drawing's resolution. Outside it colours go
-// on as they are at the border.
+// Texture of the drawing's size: the drawing, its alpha cut to the silhouette (where the labels, of working
+// size, are not 0). Outside it colours go on as they are at the border. No error. Own.
 RgbaImage make_texture(const RgbImage& drawing, const LabelMap& labels);
-// The same without the cut, for solids, whose surface alone says where they end.
+// The same without the cut, for solids, whose surface alone says where they end. No error. Own.
 RgbaImage make_solid_texture(const RgbImage& drawing, const LabelMap& labels);
-// Draws frames of one character, all from the same view. Keeps a reference to `rig`; may be used by several
-// threads at once.
+// Draws frames of one character, all from the same view, with a depth buffer. Refers to `rig`, which must
+// outlive it; may be used by several threads at once. No error. Own; thesis ch. 5 shows the result in
+// Blender.
 class FrameRenderer {
 public:
     FrameRenderer(const Rig& rig, const RgbaImage& texture, const View& view,
                   const RenderOptions& options = {});
     ~FrameRenderer();
     FrameRenderer(FrameRenderer&&) noexcept;
+    // One frame, longer side `options.size` pixels. `vertices`: world positions, one a vertex of the rig's
+    // mesh, as from skin(). No error.
     RgbaImage operator()(const std::vector<Vec3>& vertices) const;
 
 private:
     struct Parts;
     std::unique_ptr<const Parts> parts_;
 };
+// One frame, as FrameRenderer. No error. Own.
 RgbaImage render_frame(const Rig& rig, const std::vector<Vec3>& vertices, const RgbaImage& texture,
                        const View& view, const RenderOptions& options = {});
+// The clip as a loop of frames at about `fps` frames a second: a whole number of them fills it. No error.
+// Own.
 std::vector<RgbaImage> render(const Rig& rig, const BoneAnimation& animation, const RgbaImage& texture,
                               const View& view, double fps, const RenderOptions& options = {});
 

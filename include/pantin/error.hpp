@@ -22,6 +22,7 @@ enum class ErrorKind {
 
 class Error : public std::runtime_error {
 public:
+    // message: one line without its end, "file: place: fact". No error of its own.
     Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
     ErrorKind kind() const { return kind_; }
 
@@ -34,6 +35,7 @@ private:
 // others.
 class CharacterRejected : public std::runtime_error {
 public:
+    // step: the command that gives up ("identify"); reason: half a line, "a blob: …".
     CharacterRejected(std::string step, const std::string& reason)
         : std::runtime_error(reason), step_(std::move(step)) {}
     const std::string& step() const { return step_; }

@@ -4,11 +4,10 @@
 // A dataset is a folder (docs/formats.md, "Datasets"; tools/doodle writes such folders):
 //     image/<id>.png or .jpg      the page
 //     label/<id>.png              part labels of the page, 8-bit, value = label (optional)
-//     instance/<id>.png           value = number of the character, 1, 2, … (optional; without it the labels
-//     are one) index.ndjson                one object a line: id, and for one character type, species, pose,
-//     for several
-//                                 characters: [{type, species, pose}, …] in the order of their numbers (all
-//                                 optional)
+//     instance/<id>.png           value = number of the character, 1, 2, … (optional; else all are one)
+//     index.ndjson                one object a line: id, and for one character type, species, pose, or for
+//                                 several characters: [{type, species, pose}, …] in the order of their
+//                                 numbers (all optional)
 #pragma once
 
 #include <array>
@@ -22,12 +21,11 @@
 
 namespace pantin {
 
-// --- truth
-// ---------------------------------------------------------------------------------------------------
+// --- truth -------------------------------------------------------------------------------------------------
 
 struct TrueCharacter {
     Mask mask;                       // page size; empty when the dataset has no label maps
-    std::string type, species, pose; // "" when not told
+    std::string type, species, pose; // "" when not known
 };
 struct TruePage {
     std::string id;
@@ -36,11 +34,13 @@ struct TruePage {
     std::vector<TrueCharacter> characters;
 };
 // The ids of a dataset in the order of its index, and the truth of one page. Error(input) when something is
-// missing or malformed.
+// missing or malformed. Own.
 class Dataset {
 public:
+    // Reads the index alone.
     explicit Dataset(const std::filesystem::path& folder);
     std::size_t size() const { return rows_.size(); }
+    // index: 0 … size() − 1; pictures in pixels of the page.
     TruePage page(std::size_t index) const;
 
 private:
@@ -52,8 +52,7 @@ private:
     std::vector<Row> rows_;
 };
 
-// --- results
-// -------------------------------------------------------------------------------------------------
+// --- results -----------------------------------------------------------------------------------------------
 
 // A character that the detector found, whether there is one or not. Overlap: intersection over union with the
 // true character that it overlaps most, of the detector's mask and of the silhouette after segmentation.
@@ -86,21 +85,24 @@ struct Evaluation {
 };
 
 // Steps 1 to 5 on every page; the folders are written to out/pages/<id>. Errors of a page other than "no
-// character" end the evaluation.
+// character" end the evaluation and are those of animate(). Thesis 6.1 (tables 6.1 to 6.3) and 6.2.
 Evaluation evaluate(const Dataset& dataset, const std::filesystem::path& out, const Settings& settings);
 
 // Average precision: found characters by descending score, a hit overlaps a true character that no better one
 // took by `least_overlap` or more; area under the precision that is made monotone (every point counts).
-// by_mask: the detector's masks, else the silhouettes. NaN without true characters.
+// least_overlap: intersection over union, in (0, 1]; by_mask: the detector's masks, else the silhouettes. In
+// [0, 1]; NaN without true characters. No error. After PASCAL VOC (Everingham et al. 2010).
 double average_precision(const Evaluation& evaluation, double least_overlap, bool by_mask);
 
-// --- reports
-// -------------------------------------------------------------------------------------------------
+// --- reports -----------------------------------------------------------------------------------------------
 
+// Tables for people. No error. Own.
 std::string evaluation_to_text(const Evaluation& evaluation);
+// evaluation.json (docs/schemas/evaluation.schema.json): shares in [0, 1], null where nothing was counted. No
+// error. Own.
 std::string evaluation_to_json(const Evaluation& evaluation);
 // One row per character with its drawing, labels and skeleton, as in tables 6.1 to 6.3 of the thesis;
-// pictures are referred to below `pages/`.
+// pictures are referred to below `pages/`. No error.
 std::string evaluation_to_html(const Evaluation& evaluation);
 
 } // namespace pantin

@@ -10,9 +10,11 @@
 
 namespace pantin {
 
+// Sides and indices in elements; what is outside is a programming error, asserted, not thrown. Own.
 template <class T> class Grid {
 public:
     Grid() = default;
+    // width × height elements, each `value`; sides ≥ 0.
     Grid(int width, int height, T value = T{})
         : width_(width), height_(height), data_(static_cast<std::size_t>(width) * height, value) {
         assert(width >= 0 && height >= 0);
@@ -24,6 +26,7 @@ public:
     bool empty() const { return data_.empty(); }
     bool contains(int x, int y) const { return x >= 0 && y >= 0 && x < width_ && y < height_; }
 
+    // The element in column x of row y, which must be inside.
     T& operator()(int x, int y) {
         assert(contains(x, y));
         return data_[static_cast<std::size_t>(y) * width_ + x];
@@ -35,6 +38,7 @@ public:
     // Value at (x, y), or `outside` beyond the border.
     T value_or(int x, int y, T outside) const { return contains(x, y) ? (*this)(x, y) : outside; }
 
+    // `width` elements from column 0 of row y on; data(), begin(), end(): all rows, from the top.
     T* row(int y) { return data_.data() + static_cast<std::size_t>(y) * width_; }
     const T* row(int y) const { return data_.data() + static_cast<std::size_t>(y) * width_; }
     T* data() { return data_.data(); }

@@ -30,7 +30,7 @@ LabelledGraph mirrored(const LabelledGraph& graph); // x → 1 − x
 struct GgdOptions {
     double k_v = 1, k_e = 1, k_l = 5; // thesis ch. 5
     // Value of each label; the label distance is the absolute difference (thesis ch. 5).
-    std::array<double, label_count> label_values = {0, 1, 2, 7, 4, 10};
+    std::array<double, label_count> label_values = label_column(&LabelRow::value);
     long max_nodes = 2'000'000; // of the search tree; beyond it the best matching so far, optimal = false
 };
 struct GgdResult {

@@ -21,25 +21,26 @@ inline constexpr long max_image_pixels = 64'000'000;
 
 // Loads a PNG or JPEG page. EXIF orientation of a JPEG is applied, alpha is composited on white, 16-bit
 // samples keep their high byte. Dimensions and completeness are checked before anything is decoded: damaged
-// and truncated files are errors. Throws Error(input) naming the file. A character's drawing.png may be
-// smaller than a page: min_side 1.
+// and truncated files are errors. Error(input) names the file. A character's drawing.png may be smaller than
+// a page: min_side 1, pixels. Own, over stb_image.
 RgbImage load_image(const std::filesystem::path& file, int min_side = min_image_side);
-// Turned clockwise by 0, 90, 180 or 270 degrees, no pixel lost; else Error(usage).
+// Turned clockwise by 0, 90, 180 or 270 degrees, no pixel lost; else Error(usage). Own.
 RgbImage turned(RgbImage image, int degrees);
 GreyImage turned(GreyImage image, int degrees);
 // Loads a grey PNG that the pipeline wrote (mask, labels, skeleton), any size, values as stored; an editor
 // may have saved it with colour channels or a palette as long as every pixel is grey; fully transparent
-// pixels count as 0. Throws Error(input) naming the file.
+// pixels count as 0. Error(input) names the file. Own.
 GreyImage load_grey(const std::filesystem::path& file);
-// The same from memory; `source` stands for the file in messages.
+// The same from memory; `source` stands for the file in messages. Errors as from files. Own.
 RgbImage decode_image(std::span<const unsigned char> bytes, const std::string& source,
                       int min_side = min_image_side);
 GreyImage decode_grey(std::span<const unsigned char> bytes, const std::string& source);
-// A PNG of any kind with its colours and its alpha as they are stored.
+// A PNG of any kind with its colours and its alpha (straight) as they are stored. Errors as decode_image().
+// Own.
 RgbaImage decode_rgba(std::span<const unsigned char> bytes, const std::string& source);
 
 // PNG, written to a temporary name in the same folder and renamed. Values as given (a Mask must be scaled to
-// 255). Throws Error(output) naming the file.
+// 255). Error(output) names the file. Own, over stb_image_write; so is encode_png(), which has no error.
 void save_png(const std::filesystem::path& file, const GreyImage& image);
 void save_png(const std::filesystem::path& file, const RgbImage& image);
 void save_png(const std::filesystem::path& file, const RgbaImage& image);
@@ -49,36 +50,38 @@ std::vector<unsigned char> encode_png(const RgbaImage& image);
 
 // --- tone ------------------------------------------------------------------------------------------------
 
-// Rec. 601 luma with integer weights: (299 r + 587 g + 114 b + 500) / 1000.
+// Luma 0 … 255 with integer weights: (299 r + 587 g + 114 b + 500) / 1000. No error. ITU-R BT.601.
 GreyImage greyscale(const RgbImage& image);
 
 // Ink where a pixel is darker than the mean of its (2·radius+1)² neighbourhood by more than `offset` (0…255),
-// window cut at the border. Shadows and yellow paper move the mean with them and do not become ink.
+// window cut at the border. Shadows and yellow paper move the mean with them and do not become ink. radius:
+// pixels, ≥ 1. No error. Wellner 1993.
 Mask adaptive_threshold(const GreyImage& image, int radius, int offset);
 
 // Ink darkness in [0, 1]: 0 paper, 1 the darkest strokes. The paper's brightness is estimated locally, so
-// that a photograph, a scan and a digital drawing look alike to the networks; black on white comes out as 1
+// that a photograph, a scan and a digital drawing are alike to the networks; black on white comes out as 1
 // and 0.
 // 1. Blocks of max(8, ⌈longer side / 64⌉) pixels; a block's paper is the 80th percentile of its grey values.
 // 2. Closing (largest, then smallest value) of the blocks over a window of the picture's size; a block darker
-// than
-//    0.7 of its closing is a filled area and takes the closing's value, any other (shadow, tint) keeps its
-//    own.
+//    than 0.7 of its closing is a filled area and takes the closing's value, any other (shadow, tint) keeps
+//    its own.
 // 3. Binomial 3×3 mean of the blocks, bilinear in between: paper(x, y) ≥ 1. d = 1 − grey / paper, clamped to
-// [0, 1].
+//    [0, 1].
 // 4. Divided by the 95th percentile of d over the pixels with d > 0.15 (at least 0.25), clamped to 1.
-// The networks' training sees drawings through the same steps.
+// The networks' training sees drawings through the same steps. No error. Own.
 Grid<float> ink_darkness(const RgbImage& image);
 
 // --- size ------------------------------------------------------------------------------------------------
 
 // Per axis: area average when it shrinks, bilinear when it grows (pixel centres at integer + ½ of the scaled
-// grid). Every target side must be at least 1.
+// grid). Every target side, in pixels, must be at least 1; colours are rounded to nearest. No error. Own.
 Grid<float> resize(const Grid<float>& image, int width, int height);
-RgbImage resize(const RgbImage& image, int width, int height); // rounded to nearest
-// A mask shrinks by majority of area (half counts as foreground) and grows by nearest pixel.
+RgbImage resize(const RgbImage& image, int width, int height);
+// A mask shrinks by majority of area (half counts as foreground) and grows by nearest pixel. No error. Own.
 Mask resize_mask(const Mask& mask, int width, int height);
+// The label of the nearest pixel, no mixing. No error. Own.
 LabelMap resize_nearest(const LabelMap& labels, int width, int height);
+// The box, which must lie inside. No error. Own.
 template <class T> Grid<T> crop(const Grid<T>& image, Box box) {
     Grid<T> out(box.width, box.height);
     for (int y = 0; y < box.height; ++y)
@@ -88,21 +91,23 @@ template <class T> Grid<T> crop(const Grid<T>& image, Box box) {
 
 // --- masks -----------------------------------------------------------------------------------------------
 
-// Where a label map has a part: labels ≠ 0.
+// Where a label map has a part: labels ≠ 0. No error. Own.
 Mask foreground(const LabelMap& labels);
 
-// The mask with `margin` background pixels around it, and without.
+// The mask with `margin` background pixels around it, and without. No error. Own.
 Mask pad(const Mask& mask, int margin);
 Mask unpad(const Mask& mask, int margin);
 
-// Whether the pixel belongs to the mask and one of its 4-neighbours does not; outside is background.
+// Whether the pixel belongs to the mask and one of its 4-neighbours does not; outside is background. (x, y)
+// lies inside. No error. Own.
 inline bool on_border(const Mask& mask, int x, int y) {
     return mask(x, y) && !(mask.value_or(x - 1, y, 0) && mask.value_or(x + 1, y, 0) &&
                            mask.value_or(x, y - 1, 0) && mask.value_or(x, y + 1, 0));
 }
 
 // Morphology with a (2·radius+1)² square or with the discrete disc of that radius (all pixels whose centre is
-// at most `radius` away); outside is background. A closing does not lose pixels at the image's border.
+// at most `radius` away); outside is background. radius: pixels, ≥ 0. A closing does not lose pixels at the
+// image's border. No error. Serra 1982.
 Mask dilate_square(const Mask& mask, int radius);
 Mask erode_square(const Mask& mask, int radius);
 Mask close_square(const Mask& mask, int radius);
@@ -120,33 +125,36 @@ struct Components {
     Grid<int> ids; // 0 background
     std::vector<Component> list;
 };
-// 8-connected components of the foreground.
+// 8-connected components of the foreground, numbered in raster order; areas in pixels. No error. Own.
 Components connected_components(const Mask& mask);
-// 4-connected components of the background.
+// 4-connected components of the background, as above. No error. Own.
 Components background_components(const Mask& mask);
-// The pixels of one component.
+// The pixels of one component; id: 1 … list.size(). No error. Own.
 Mask component_mask(const Components& components, int id);
-// Whether the component's box reaches the border of an image of that size.
+// Whether the component's box reaches the border of an image of that size, pixels. No error. Own.
 bool touches_border(const Component& component, int width, int height);
-// The largest 8-connected component (the first in raster order among equals); empty mask stays empty.
+// The largest 8-connected component (the first in raster order among equals); empty mask stays empty. No
+// error. Own.
 Mask largest_component(const Mask& mask);
 
-// Fills 4-connected background regions that do not touch the border and are at most max_area pixels large.
+// Fills 4-connected background regions that do not touch the border and are at most max_area pixels large. No
+// error. Own.
 Mask fill_holes(const Mask& mask, long max_area = max_image_pixels);
 
 // The pixels of `hole` (of the image's size) take colours that continue their surroundings smoothly; the
-// others stay.
+// others stay. No error. Push-pull (Gortler et al. 1996) and Laplace's equation.
 RgbImage fill_in(const RgbImage& image, const Mask& hole);
 
 // --- distance --------------------------------------------------------------------------------------------
 
 // Exact squared Euclidean distance of every pixel to the nearest pixel with mask == 0 (Felzenszwalb &
 // Huttenlocher 2012, in integers as in Meijster et al. 2000). Pixels outside the image count as background.
+// No error. Thesis 4.6 (Fig. 4.15).
 Grid<int> squared_distance_transform(const Mask& mask);
-// Its square root.
+// Its square root, pixels. No error. Thesis 4.6.
 Grid<float> distance_transform(const Mask& mask);
 // For every pixel the index (y·width + x) of a nearest pixel with seeds == 1, −1 when there is none. Ties:
-// the smallest index.
+// the smallest index. No error. Own, after Meijster et al. 2000.
 Grid<int> nearest_seed(const Mask& seeds);
 
 } // namespace pantin

@@ -22,8 +22,8 @@ namespace pantin {
 // r/√2 thick on each side.
 struct Inflation {
     std::vector<Point2d> points; // canvas
-    std::vector<std::array<int, 3>>
-        triangles; // positively oriented (interior on the left where y points down as on the canvas)
+    // Positively oriented: interior on the left where y points down, as on the canvas.
+    std::vector<std::array<int, 3>> triangles;
     std::vector<double> squared; // per point; 0 on the outline, positive inside
     std::vector<char> border;    // per point
     double half_width = 0;       // area by perimeter: half the width of a long part
@@ -33,7 +33,7 @@ struct InflationOptions {
     double longest_edge = 0.04;                // share of the diagonal; thin parts get shorter ones
     double shortest_edge = 0.002;
 };
-// Error(input) as simple_polygon().
+// stroke: canvas units. Error(input) as simple_polygon(). RealSkel 4.1 (errata 28).
 Inflation inflate(const std::vector<Point2d>& stroke, const InflationOptions& options = {});
 
 // --- surfaces ----------------------------------------------------------------------------------------------
@@ -48,8 +48,10 @@ struct SolidMesh {
 struct Frame {
     Vec3 origin, right{1, 0, 0}, down{0, -1, 0}, out{0, 0, 1};
 };
+// The place of a point of the canvas in the model, canvas units. No error. Own.
 Vec3 to_model(const Frame& frame, Point2d canvas, double depth = 0);
-// Front and back of the inflated part, joined along the outline: closed.
+// Front and back of the inflated part, joined along the outline: closed; canvas units. height > 0 scales the
+// thickness. No error. RealSkel 4.1.
 SolidMesh part_surface(const Inflation& inflation, double height, const Frame& frame);
 
 struct InflatedPart {
@@ -59,16 +61,18 @@ struct InflatedPart {
 };
 struct UnionOptions {
     double cell = 0; // of the grid, canvas units; 0: from the model's size and its thinnest part
-    double cells_across =
-        44; // of the model's longest side, when the cell is not given; thin parts ask for up to twice as many
+    // Of the model's longest side, when the cell is not given; thin parts ask for up to twice as many.
+    double cells_across = 44;
 };
 // The outer surface of all parts as one mesh: closed, oriented, without self-intersection. The zero set of
-// the parts' distances on a body-centred cubic grid, by marching tetrahedra (Doi & Koide 1991).
+// the parts' distances on a body-centred cubic grid, by marching tetrahedra (Doi & Koide 1991). Canvas units.
+// Error(input) when parts are too thin or too far apart for one grid. RealSkel 4.1 (errata 29).
 SolidMesh unite(const std::vector<InflatedPart>& parts, const UnionOptions& options = {});
 // The same by exact arithmetic on the parts' own surfaces (CGAL's polygon mesh processing), to compare with;
 // coordinates are rounded at the end, SolidMesh::parts stays empty. Error(usage) in a build without CGAL;
 // Error(input) when parts touch without overlapping, so that their union is no manifold.
 SolidMesh unite_exactly(const std::vector<InflatedPart>& parts);
+// Whether this build has unite_exactly(). No error. Own.
 bool exact_union_available();
 
 // --- the model ---------------------------------------------------------------------------------------------
@@ -93,26 +97,30 @@ struct ModelPart {
 };
 struct ModelOptions {
     SubSkeletonOptions skeleton;
-    RefinementOptions
-        refinement; // of every part, until refine() says otherwise; shares of the part's diagonal
+    RefinementOptions refinement; // of every part, until refine() says otherwise; shares of its diagonal
     InflationOptions inflation;
     UnionOptions unite;
 };
 
-// The interactive heart of the paper: every call brings the skeleton up to date. What depends on one part
-// alone is made once for it; connection and refinement are made anew. Surfaces are made when they are asked
-// for, and kept until their part's stroke changes. Throws Error(input) and stays as it was when a call is
-// invalid (a name that is taken or unknown, a stroke without area, …).
+// The interactive part of the article (RealSkel 3, 4.1): every call brings the skeleton up to date. What
+// depends on one part alone is made once for it; connection and refinement are made anew. Surfaces are made
+// when they are asked for, and kept until their part's stroke changes. Throws Error(input) and stays as it
+// was when a call is invalid (a name that is taken or unknown, a stroke without area, …).
 class Model {
 public:
     explicit Model(Point2d origin = {}, const ModelOptions& options = {});
     Model(const Strokes& strokes, const ModelOptions& options = {});
 
+    // One of the calls below.
     void apply(const ModelCall& call);
+    // RealSkel 3.1 and 3.2: a part, and how it hangs on the others.
     void add_part(const PartStroke& part);
-    void remove_part(const std::string& name); // parts that named it as their parent look for another one
+    // Parts that named it as their parent connect anew.
+    void remove_part(const std::string& name);
+    // RealSkel 4.1, utilities; canvas units, degrees.
     void move_part(const MovePart& move);
     void set_symmetry(const std::string& name, Symmetry symmetry);
+    // RealSkel 3.3; shares of the part's diagonal.
     void refine(const RefineSkeleton& call);
 
     const std::vector<ModelPart>& parts() const { return parts_; }
@@ -120,7 +128,9 @@ public:
     const ModelSkeleton& skeleton() const { return skeleton_; }
     const std::vector<std::string>& repairs() const { return repairs_; } // of strokes that cross themselves
 
-    SolidMesh surface(int part); // of one part
+    // Of one part (an index of parts()), of each, and of all united: canvas units, the model's frame. Errors
+    // of inflate() and unite(). RealSkel 4.1.
+    SolidMesh surface(int part);
     std::vector<InflatedPart> inflated();
     SolidMesh united();
 
@@ -155,6 +165,8 @@ struct BoneSegment {
     Vec3 head, tail;
     double radius = 0; // of the part around it; nearness counts from there
 };
+// One set of weights a vertex, at most four bones, summing to 1; at least one bone. No error. RealSkel 4.1
+// (errata 30).
 std::vector<VertexWeights> bone_heat(const SolidMesh& mesh, const std::vector<BoneSegment>& bones);
 
 } // namespace pantin

@@ -13,8 +13,8 @@ namespace pantin {
 
 // The parts of a label map as strokes in modelling order: body, head, limbs, tail, wings, each label's pieces
 // from left to right. A piece reaches into the parts that come before it, where it touches them, by the
-// silhouette's half width there, so that solids overlap. The canvas is the label map's. Error(input) when
-// there is no part.
+// silhouette's half width there, so that solids overlap. The canvas is the label map's, pixels. Error(input)
+// when there is no part. Own.
 Strokes strokes_from_labels(const LabelMap& labels);
 
 // A parallel projection into a picture; pixel centres at integer coordinates, y down. Sheared so that far
@@ -28,31 +28,35 @@ struct ModelView {
     bool operator==(const ModelView&) const = default;
 };
 // The model with a margin; longer side `size` pixels. Without shear when all parts are drawn from the front
-// at no depth.
+// at no depth. mesh: united(). No error. Own.
 ModelView view_of(const Model& model, const SolidMesh& mesh, int size = 400);
+// The pixel in which a point of the model, canvas units, is seen. No error. Own.
 Point2d project(const ModelView& view, Vec3 p);
 
 struct ModelPicture {
     RgbImage drawing; // flat colours on white, twice the size of the labels
     LabelMap labels;
 };
+// The model as a drawing, near parts in front. Error(input) when a part has no area. Own.
 ModelPicture draw(Model& model, const ModelView& view);
-// Ends and junctions with the chains between them. Trees that are not connected are joined where they are
-// nearest.
+// The model's skeleton as a graph in the view's pixels: ends and junctions with the chains between them.
+// Trees that are not connected are joined where they are nearest. No error. Own.
 SkeletonGraph project_skeleton(const Model& model, const ModelView& view);
 
-Label label_of(const ModelPart& part); // given, or else from the name
-Rgb8 colour_of(const ModelPart& part); // given, or else one of its label
-// Per vertex of a united mesh.
+// The part's own label, or else that of its name. No error. Own.
+Label label_of(const ModelPart& part);
+// The part's own colour, or else `solid` of its label's row (label.hpp). No error. Own.
+Rgb8 colour_of(const ModelPart& part);
+// The colour of each vertex of a united mesh: of the part that it lies on. No error. Own.
 std::vector<Rgb8> part_colours(const Model& model, const SolidMesh& mesh);
 
-// `colours`: per vertex; none: the picture is projected on.
 // The model with its own bones: one for each joint but the roots, from its parent to it, named after its
-// part.
+// part; skin weights by bone_heat(). Mesh and bones in pixels of the view, depths in world units. `colours`:
+// per vertex; none: the picture is projected on. No error. RealSkel 4.1, weights (errata 30).
 Rig model_rig(const Model& model, const SolidMesh& mesh, const ModelView& view,
               const std::vector<Rgb8>& colours = {});
-// The rig of the picture in space: the same bones, each where the model's skeleton runs, on the model's
-// surface.
+// The rig of the picture in space: the bones of `flat` (of the view's picture), each where the model's
+// skeleton runs, on the model's surface. Units as model_rig(). No error. Own.
 Rig lifted(const Rig& flat, const Model& model, const SolidMesh& mesh, const ModelView& view,
            const std::vector<Rgb8>& colours = {});
 

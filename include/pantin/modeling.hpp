@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // From strokes to skeletons and models (Ma et al., RealSkel: real-time skeletonization of user-sketched
-// parts, 2021). Coordinates of strokes: any unit, x to the right, y up or down. Lengths that the paper gives
-// in pixels of its canvas are shares of the stroke's diagonal, the diagonal of its bounding box, so that
-// results do not depend on resolution (docs/errata.md).
+// parts, 2021). Coordinates of strokes: any unit, x to the right, y up or down. Lengths that the article
+// gives in pixels of its canvas are shares of the stroke's diagonal, the diagonal of its bounding box, so
+// that results do not depend on resolution (docs/errata.md).
 #pragma once
 
 #include <map>
@@ -25,19 +25,20 @@ struct Cylinder {
 // Indices of the axis' points that are kept, ends included (Algorithm 1): the point with the largest error d⊥
 // + shape_weight · (d⁺ + d⁻) is kept while it exceeds the threshold. d⊥: from the point to the line through
 // the ends; d⁺, d⁻: from the ends of its slice to the sides of the trapezoid between the first and the last
-// slice, with the axis stretched straight.
+// slice, with the axis stretched straight. threshold: the axis' units. No error. RealSkel 3.1, Algorithm 1.
 std::vector<int> bounded_dp(const Cylinder& cylinder, double threshold, double shape_weight);
 
 struct SubSkeletonOptions {
     SimplePolygonOptions polygon;
-    double collapse = 0.5;     // of the mean edge: shorter edges of the straight skeleton are collapsed, …
-    int collapse_rounds = 3;   // … so often
-    double threshold = 0.0077; // of BoundedDP at first, share of the diagonal; 5 pixels of the paper's canvas
+    double collapse = 0.5;   // of the mean edge: shorter edges of the straight skeleton are collapsed, …
+    int collapse_rounds = 3; // … so often
+    double threshold =
+        0.0077; // of BoundedDP at first, share of the diagonal; 5 pixels of the article's canvas
     double least_threshold = 0.0002; // below it all slices are kept; 1 pixel would be 0.0015
     double threshold_factor = 0.8;   // by which it is lowered while a bone leaves the shape (Algorithm 2)
-    double shape_weight = 0.25;      // α_s; the paper does not print it
-    std::map<int, double> branch_thresholds; // instead of `threshold`, by number of the branch; −1: of all
-                                             // others (3.3, branch level)
+    double shape_weight = 0.25;      // α_s; the article does not print it
+    // Instead of `threshold`, by number of the branch; −1: of all others (3.3, branch level).
+    std::map<int, double> branch_thresholds;
 };
 struct SubSkeleton {
     struct Joint {
@@ -47,16 +48,16 @@ struct SubSkeleton {
     SimplePolygon outline;
     std::vector<Joint> joints;
     std::vector<std::pair<int, int>> bones; // a tree
-    std::vector<std::vector<int>>
-        branches; // their joints from an end or a junction to the next one; numbered by the outline alone
+    // Their joints from an end or a junction to the next one; numbered by the outline alone.
+    std::vector<std::vector<int>> branches;
 };
 // Straight skeleton, without its peripheral arcs (those that begin at the outline), short edges collapsed;
 // every branch is smoothed by a spline, sliced evenly and simplified by BoundedDP, so that its bones stay
-// inside the shape.
+// inside the shape. stroke: a closed outline, any unit. Error(input) as simple_polygon(). RealSkel 3.1
+// (errata 23).
 SubSkeleton sub_skeleton(const std::vector<Point2d>& stroke, const SubSkeletonOptions& options = {});
 
-// --- skeletons in space
-// --------------------------------------------------------------------------------------
+// --- skeletons in space ------------------------------------------------------------------------------------
 
 // Joints of one part or of a whole model, joined to trees.
 struct JointTree {
@@ -78,14 +79,13 @@ struct Attachment {
     int parent = -1;       // part; −1: a root
     int joint = -1;        // of the part, in the connected tree: where it hangs
     int parent_joint = -1; // that it hangs on, in the connected tree
-    bool split =
-        false; // bone-split event: that joint is new, on a bone of the parent; else joint-connect event
+    bool split = false;    // bone-split event: that joint is new, on a bone of the parent; else joint-connect
 };
 struct Connection {
     JointTree tree;
     std::vector<Attachment> attachments; // per part
 };
-// What is known of a part's parent before connect() looks for it.
+// What is known of a part's parent before connect() searches for it.
 struct ParentWish {
     int parent = -1; // this part, or its copy, whatever is met
     int like = -1;   // the part is a copy of this one: it hangs on the same part, or on that part's copy
@@ -94,7 +94,8 @@ struct ParentWish {
 // cylinders one of its ends or junctions lies, the nearest one by Eq. (1); else on one whose balls and
 // cylinders meet its own; else it is a root. The joint and the bone of the smallest distance (Eq. 1) are
 // joined: on the bone (bone-split event) when the foot of the perpendicular lies inside it, else at its
-// nearer end (joint-connect event). wishes[i] is about part i and names earlier parts.
+// nearer end (joint-connect event). wishes[i] is about part i and names earlier parts. Canvas
+// units. No error. RealSkel 3.2 (errata 25 to 27).
 Connection connect(const std::vector<JointTree>& parts, const std::vector<ParentWish>& wishes);
 
 // --- refinement (3.3) --------------------------------------------------------------------------------------
@@ -106,8 +107,10 @@ struct RefinementOptions {
     double collapse = 0.015; // a shorter bone between two inner joints becomes a joint
 };
 // Prunes, merges and collapses, in this order. limits[part]: absolute lengths; between joints of two parts
-// the larger one holds. Of joints that become one the widest gives the place, the first one on a tie.
+// the larger one holds. Of joints that become one the widest gives the place, the first one on a tie. No
+// error. RealSkel 3.3 (errata 24).
 JointTree refine(const JointTree& tree, const std::vector<RefinementOptions>& limits);
+// The same in the plane; shares of the outline's diagonal. No error. RealSkel 3.3.
 SubSkeleton refine(const SubSkeleton& skeleton, const RefinementOptions& options = {});
 
 } // namespace pantin

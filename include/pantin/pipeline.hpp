@@ -44,7 +44,7 @@ struct Options {
     AnimationOptions animation;
 };
 
-// "default" or "thesis" (the paper to the letter where it can be, with its errata applied).
+// "default" or "thesis" (the thesis to the letter where it can be, with its errata applied).
 // Error(usage) for another name.
 Options make_preset(std::string_view name);
 // Sets the options that a JSON file names, as `{"skeletonization": {"residual_threshold": 20}}` or as
@@ -60,8 +60,8 @@ std::vector<std::pair<std::string, std::string>> list_options(const Options& opt
 struct RenderRequest {
     std::string clip = "all"; // a clip of the reference, or all
     double fps = 25;          // 1 … 100
-    std::vector<std::string>
-        formats;        // of webp, gif, apng, mp4, png, bvh; empty: webp, and gif for the first clip
+    // Names of the table in src/export/film_formats.cpp; empty: webp, and gif for the first clip.
+    std::vector<std::string> formats;
     bool scene = false; // `animate`: the whole page as one film, too
     RenderOptions picture;
 };
@@ -71,7 +71,7 @@ struct RenderRequest {
 struct Overrides {
     std::filesystem::path mask; // grey PNG, the one character is where it is at least 128
     std::filesystem::path
-        labels; // grey PNG of label values 0 to 5; without a mask the character is where they are not 0
+        labels;            // grey PNG of label values; without a mask the character is where they are not 0
     std::string reference; // name of the reference that every character moves like
 };
 

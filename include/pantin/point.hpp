@@ -17,6 +17,9 @@ struct Point2d {
     bool operator==(const Point2d&) const = default;
 };
 
+// Vector arithmetic in the units of the arguments: sum, difference, multiple, scalar product, z of the vector
+// product (positive: b is clockwise of a on the screen, where y points down), length, distance. No error.
+// Own.
 inline Point2d operator+(Point2d a, Point2d b) { return {a.x + b.x, a.y + b.y}; }
 inline Point2d operator-(Point2d a, Point2d b) { return {a.x - b.x, a.y - b.y}; }
 inline Point2d operator*(double s, Point2d a) { return {s * a.x, s * a.y}; }
@@ -32,6 +35,7 @@ struct Vec3 {
     bool operator==(const Vec3&) const = default;
 };
 
+// As in the plane; cross: the vector product, right-handed. No error. Own.
 inline Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }

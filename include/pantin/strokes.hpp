@@ -4,10 +4,11 @@
 //
 // Strokes are drawn on one canvas, x to the right, y down, in any unit. The canvas shows the model from one
 // of three sides; `origin` is the point of the canvas where the model's origin is seen, from each side. The
-// model's own frame is right-handed: x to the right, y up, z towards whoever looks from the front. A canvas
-// point (u, v), measured from the origin, at depth d lies at
-//   front: ( u, −v,  d)   seen from +z;   side: ( d, −v, −u)   seen from +x;   top: ( u, d, v)   seen from
-//   +y.
+// model's own frame is right-handed: x to the right, y up, z towards the viewer in front. A canvas point
+// (u, v), measured from the origin, at depth d lies at
+//   front: ( u, −v,  d)   seen from +z
+//   side:  ( d, −v, −u)   seen from +x
+//   top:   ( u,  d,  v)   seen from +y
 #pragma once
 
 #include <optional>
@@ -82,16 +83,21 @@ struct Strokes {
     std::vector<std::string> repairs; // what was wrong and what was done about it, one line each
 };
 
-// JSON (docs/formats.md, "strokes.json"). Error(input) names `file`, the place and the fact.
+// Strokes of a JSON text (docs/modeling.md, "strokes.json"), canvas units. `file` stands in messages.
+// Error(input) names it, the place and the fact. Own format.
 Strokes strokes_from_json(const std::string& text, const std::string& file);
+// The text that reads back to the same strokes, to the bit. No error. Own.
 std::string strokes_to_json(const Strokes& strokes);
-// The strokes with the calls of another text, {"calls": […]}, after their own.
+// The strokes with the calls of another text, {"calls": […]}, after their own. Errors as strokes_from_json().
+// Own.
 Strokes with_calls(Strokes strokes, const std::string& text, const std::string& file);
 // Every path, polygon, polyline, rect, circle and ellipse of an SVG is a part, in document order
-// (docs/formats.md, "SVG strokes"). Error(input) names `file` and what is wrong.
+// (docs/modeling.md, "SVG strokes"); canvas units are the SVG's user units. Error(input) names `file` and
+// what is wrong; Error(usage) in a build without pugixml. Own, by SVG 2 (W3C 2018).
 Strokes strokes_from_svg(const std::string& text, const std::string& file);
 
-// The label that a part's name asks for: "left_wing" wing, "ear" head, "body" body, "claw" limb.
+// The label that a part's name asks for: "left_wing" wing, "ear" head, "body" body, "claw" limb; limb when no
+// word of it is known. No error. Own.
 Label label_of_part(const std::string& name);
 
 } // namespace pantin

@@ -35,16 +35,17 @@ using Files = std::map<std::string, std::string>;
 // pixels are compared as values, whatever the encoding; any other file as bytes.
 struct FileDifference {
     std::string file;
-    std::string
-        place; // of the first value that differs: "vertices[3].x", "pixel (4, 17), green", "line 12, word 3"
+    // Of the first value that differs: "vertices[3].x", "pixel (4, 17), green", "line 12, word 3".
+    std::string place;
     std::string first, second; // the two values there, or two facts: "12 elements", "missing"
     std::size_t values = 0;    // that differ, as far as the two have the same structure
     double largest = 0;        // difference of two numbers; 0 when none of those that differ are numbers
     std::string largest_place;
-    std::optional<RgbImage>
-        picture; // of pictures and films: the first one in light grey, pixels that differ in red
+    // Of pictures and films: the first one in light grey, pixels that differ in red.
+    std::optional<RgbImage> picture;
 };
-// None when all values are equal. Error(input) when one of them is damaged.
+// name: decides how they are compared; first, second: bytes. None when all values are equal. Error(input)
+// when one of them is damaged. Own.
 std::optional<FileDifference> compare_files(const std::string& name, const std::string& first,
                                             const std::string& second);
 
@@ -62,25 +63,26 @@ struct VerificationSettings {
     bool end_to_end = false; // stages take what the stage before has just made
     std::function<void(const std::string& stage, double share)> progress; // as in Settings
 
-    // The preset `default` with coarser animations and solids, so that the stored files are small.
+    // The preset `default` with coarser animations and solids, so that the stored files are small. No error.
+    // Own.
     static Options verification_options();
 };
 
 struct Verification {
     std::vector<std::string> drawings, stages; // columns and rows of the table, in the order of the flow
-    std::vector<StageDifferences>
-        results;        // of each stage on each drawing that it is for; `files` is empty where all agree
+    // Of each stage on each drawing that it is for; `files` is empty where all agree.
+    std::vector<StageDifferences> results;
     Files outputs;      // `<drawing>/<file>`: the inputs, and what the stages made
     std::string digest; // of the values of all outputs: equal where the results are
     // The first one that differs, none when all agree.
     const StageDifferences* first_difference() const;
 };
 // Writes nothing. A stage that throws differs by its message. In a FileDifference the stored value is the
-// first one.
+// first one. Error(internal) when the compiled-in files are damaged. Own (docs/determinism.md).
 Verification verify(const VerificationSettings& settings = {});
 
 // Rows stages, columns drawings, "ok" or "DIFFERS"; below it a line for each file that differs; last the
-// digest.
+// digest. No error. Own.
 std::string verification_table(const Verification& verification);
 
 // --- two folders -------------------------------------------------------------------------------------------
@@ -90,10 +92,11 @@ struct FolderComparison {
     int files = 0;                        // that at least one of the two has
     std::vector<StageDifferences> stages; // in the order of the flow, those with differences only
 };
-// Error(input) when one of them is no folder or has no files, or a file is damaged.
+// Error(input) when one of them is no folder or has no files, or a file is damaged. Own.
 FolderComparison compare_folders(const std::filesystem::path& first, const std::filesystem::path& second);
 
-// For each stage the files that differ, with the number of values, the first and the largest difference.
+// For each stage the files that differ, with the number of values, the first and the largest difference. No
+// error. Own.
 std::string comparison_table(const FolderComparison& comparison);
 
 } // namespace pantin

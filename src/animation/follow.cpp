@@ -3,7 +3,7 @@
 // H. J. Smith et al., A Method for Animating Children's Drawings of the Human Figure, 2023, section 3.4:
 // limbs take the directions of the motion, each projected on the plane in which it moves most. Differences:
 // the plane is the frontal or the sagittal one by the variance of the limb's tip (not by principal components
-// of its joints), and the performer is turned to the front all the time.
+// of its joints), and the recorded figure is turned to the front all the time.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace pantin {
 namespace {
 
 constexpr double rate = 30;            // key poses per second
-constexpr double facing_seconds = 0.5; // window over which the performer's facing is averaged
+constexpr double facing_seconds = 0.5; // window over which the figure's facing is averaged
 constexpr double still = 1e-3;         // variance of a limb's way, of its squared length
 constexpr double least_projection =
     0.2; // of a limb's length: shorter ones have no direction, the last one stays
@@ -25,9 +25,9 @@ constexpr double least_projection =
 double norm(Vec3 v) { return std::sqrt(dot(v, v)); }
 Vec3 unit(Vec3 v, Vec3 otherwise) { return norm(v) > 1e-12 ? (1 / norm(v)) * v : otherwise; }
 
-// The joints' places, in the performer's own directions: x to its left (the right of the picture), y up, z
-// forwards. The hips are the origin; `travelled` is their way from the start along x and z, and their height
-// above the ground.
+// The joints' places, in the recorded figure's own directions: x to its left (the right of the picture), y
+// up, z forwards. The hips are the origin; `travelled` is their way from the start along x and z, and their
+// height above the ground.
 struct Pose {
     std::vector<Vec3> joints;
     Vec3 travelled;
@@ -53,9 +53,9 @@ std::vector<Frame> resampled(const Motion& motion, double start, double seconds)
     return frames;
 }
 
-class Performance {
+class Recording {
 public:
-    Performance(const Motion& motion, const MotionJoints& joints, double start, double seconds)
+    Recording(const Motion& motion, const MotionJoints& joints, double start, double seconds)
         : joints_(joints), frames_(resampled(motion, start, seconds)) {
         find_up();
         find_facing();
@@ -83,7 +83,7 @@ private:
                                                 : Vec3{0, sum.y > 0 ? 1.0 : -1.0, 0};
     }
 
-    // Where the performer's left is, on the ground.
+    // Where the figure's left is, on the ground.
     void find_facing() {
         std::vector<Vec3> sides;
         for (std::size_t i = 0; i < frames_.size(); ++i) {
@@ -181,11 +181,11 @@ double rest_angle(const Bone& bone) {
 // What every bone does: its turn against the drawing, in the picture's plane, one a pose.
 class Follower {
 public:
-    Follower(const Rig& rig, const ReferenceSkeleton& reference, const Performance& performance,
+    Follower(const Rig& rig, const ReferenceSkeleton& reference, const Recording& recording,
              const MotionJoints& joints)
-        : rig_(rig), reference_(reference), poses_(performance.poses()), joints_(joints) {
+        : rig_(rig), reference_(reference), poses_(recording.poses()), joints_(joints) {
         turns_.assign(rig.bones.size(), std::vector<double>(poses_.size()));
-        const int neck = performance.neck();
+        const int neck = recording.neck();
         from_the_side_ = neck >= 0 && moves_forwards(poses_, joints.hips, neck);
         for (std::size_t b = 0; b < rig.bones.size(); ++b) {
             if (b == 0 && neck >= 0)
@@ -234,7 +234,7 @@ private:
                 rest_angle(bone));
     }
 
-    // Body and head keep the way they are drawn and lean as the performer does against the vertical.
+    // Body and head keep the way they are drawn and lean as the recorded figure does against the vertical.
     void lean(std::size_t b, int from, int to) {
         turn_to(b, angles_of(poses_, from, to, from_the_side_), math::pi / 2);
     }
@@ -279,10 +279,10 @@ bool shown_left(const Bone& bone, const std::string& joint) {
 
 BoneAnimation follow(const Rig& rig, const ReferenceSkeleton& reference, const Motion& motion,
                      const MotionJoints& joints, double start, double seconds) {
-    const Performance performance(motion, joints, start, seconds);
-    const std::vector<Pose>& poses = performance.poses();
-    const Follower follower(rig, reference, performance, joints);
-    const double scale = drawn_leg_length(rig, reference) / performance.leg_length();
+    const Recording recording(motion, joints, start, seconds);
+    const std::vector<Pose>& poses = recording.poses();
+    const Follower follower(rig, reference, recording, joints);
+    const double scale = drawn_leg_length(rig, reference) / recording.leg_length();
     const bool walks_forwards = moves_forwards(poses, joints.left.thigh, joints.left.foot);
     BoneAnimation animation;
     animation.name = motion.name;
@@ -293,7 +293,7 @@ BoneAnimation follow(const Rig& rig, const ReferenceSkeleton& reference, const M
             animation.rotations[b].push_back(follower.rotation(b, i));
         const Vec3 way = poses[i].travelled;
         animation.root_translation.push_back(
-            {scale * (walks_forwards ? way.z : way.x), scale * (way.y - performance.standing_height()), 0});
+            {scale * (walks_forwards ? way.z : way.x), scale * (way.y - recording.standing_height()), 0});
     }
     animation.duration = animation.times.back();
     return animation;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A posed mesh's vertices in, outward unit normals out: the faces' normals, by area (own).
 #include "pantin/animation.hpp"
 
 namespace pantin {

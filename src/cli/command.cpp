@@ -9,7 +9,7 @@
 
 #include <unistd.h>
 
-#include "pantin/export.hpp"
+#include "export/film_formats.hpp"
 
 namespace pantin::cli {
 
@@ -44,18 +44,12 @@ Rgba8 parse_colour(const std::string& text) {
 }
 
 void check_formats(const std::vector<std::string>& formats) {
-    constexpr const char* known[] = {"webp", "gif", "apng", "mp4", "png", "bvh"};
-    for (const std::string& format : formats) {
-        if (std::find(std::begin(known), std::end(known), format) == std::end(known))
-            throw Error(ErrorKind::usage,
-                        "--format: '" + format + "' is not webp, gif, apng, mp4, png or bvh");
-        if (format == "webp" && !webp_available())
-            throw Error(ErrorKind::usage, "--format webp: this pantin was built without WebP");
-        if (format == "gif" && !gif_available())
-            throw Error(ErrorKind::usage, "--format gif: this pantin was built without GIF");
-        if (format == "mp4" && !mp4_available())
-            throw Error(ErrorKind::usage,
-                        "--format mp4: there is no ffmpeg on this machine (Debian: apt-get install ffmpeg)");
+    for (const std::string& name : formats) {
+        const FilmFormat* format = film_format(name);
+        if (!format)
+            throw Error(ErrorKind::usage, "--format: '" + name + "' is not " + film_format_names(" or "));
+        if (!is_available(*format))
+            throw Error(ErrorKind::usage, "--format " + name + ": " + std::string(format->missing));
     }
 }
 
@@ -63,7 +57,7 @@ void check_formats(const std::vector<std::string>& formats) {
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
     command
-        .add_option("--preset", options.preset, "default (best results) or thesis (the paper to the letter)")
+        .add_option("--preset", options.preset, "default (best results) or thesis (the thesis to the letter)")
         ->capture_default_str();
     command.add_option("--config", options.config, "JSON file that sets any option by its name");
     command
@@ -105,7 +99,8 @@ void add_override_options(CLI::App& command, Overrides& overrides) {
     command.add_option("--mask", overrides.mask,
                        "PNG of the page's size, white where the one character is: no detection");
     command.add_option("--labels", overrides.labels,
-                       "PNG of the page's size with part labels 0 to 5: no segmentation");
+                       "PNG of the page's size with part labels 0 to " + std::to_string(label_count - 1) +
+                           ": no segmentation");
     command.add_option("--reference", overrides.reference,
                        "what every character moves like, whatever identification says");
 }
@@ -118,7 +113,7 @@ void add_render_options(CLI::App& command, RenderFlags& flags) {
         ->capture_default_str();
     command
         .add_option("--format", flags.formats,
-                    "webp, gif, apng, mp4, png, bvh (default: webp, and gif of the first clip)")
+                    film_format_names() + " (default: webp, and gif of the first clip)")
         ->delimiter(',');
     command.add_option("--background", flags.background, "transparent, white, black, #rrggbb or #rrggbbaa")
         ->capture_default_str();

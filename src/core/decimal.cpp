@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Doubles and floats to text by std::to_chars, which knows no locale (own; docs/determinism.md, "Files").
 #include "core/decimal.hpp"
 
 #include <charconv>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Files in, bytes out, and the other way: regular files of a bounded size, written under a temporary name and
+// renamed (own; docs/formats.md).
 #include "core/file.hpp"
 
 #include <cerrno>

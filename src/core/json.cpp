@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// JSON values to text and back, with the layout and the decimals of docs/formats.md (own).
 #include "core/json.hpp"
 
 #include <algorithm>

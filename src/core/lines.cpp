@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A file descriptor in, lines of a bounded length out, each as soon as it is there (own; docs/batch.md).
 #include "core/lines.hpp"
 
 #include <algorithm>
@@ -30,9 +31,9 @@ std::optional<Line> LineReader::next() {
     bool any = false;
     while (at_ < block_.size() || (!ended_ && fill())) {
         const std::size_t end = std::min(block_.find('\n', at_), block_.size());
-        const std::size_t length = end - at_, room = limit_ - line.text.size();
-        line.text.append(block_, at_, std::min(length, room));
-        line.too_long = line.too_long || length > room;
+        const std::size_t length = end - at_, space = limit_ - line.text.size();
+        line.text.append(block_, at_, std::min(length, space));
+        line.too_long = line.too_long || length > space;
         const bool whole = end < block_.size();
         bytes_ += length + (whole ? 1 : 0);
         at_ = end + (whole ? 1 : 0);

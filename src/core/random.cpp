@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// A seed in, pseudo-random numbers out: xoshiro256** and SplitMix64 (Blackman & Vigna 2021), distributions of
+// our own.
 #include "core/random.hpp"
 
 #include <bit>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Names in, bytes of compiled-in files out; the table is made by tools/embed.sh (own).
 #include "core/resources.hpp"
 
 extern "C" {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Text, bytes and pictures in, HTML out: escapes, data URIs (RFC 2397, RFC 4648), templates (own).
 #include "explain/markup.hpp"
 
 #include <array>

@@ -5,6 +5,7 @@
 
 #include "core/file.hpp"
 #include "explain/chapters.hpp"
+#include "explain/palette.hpp"
 #include "explain/picture_size.hpp"
 #include "explain/svg.hpp"
 #include "formats/file_names.hpp"
@@ -129,7 +130,7 @@ std::string page_text(const AnimatedPage& animated, Context& context) {
         add_character(text, {animated.page.characters[i].folder, animated.page.characters[i],
                              animated.characters[i], context});
     return filled(asset("page.html"), {{"source", escaped(animated.page.source)},
-                                       {"style", std::string(asset("page.css"))},
+                                       {"style", label_styles() + std::string(asset("page.css"))},
                                        {"contents", text.contents},
                                        {"page", filled(asset("chapters/page.html"), page)},
                                        {"chapters", text.chapters},

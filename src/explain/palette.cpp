@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Labels, numbers and shares in, colours out; heat() after matplotlib's viridis.
 #include "explain/palette.hpp"
 
 #include <algorithm>
@@ -27,6 +28,16 @@ Rgb8 heat(double share) {
     };
     return {mix(stops[i].r, stops[i + 1].r), mix(stops[i].g, stops[i + 1].g),
             mix(stops[i].b, stops[i + 1].b)};
+}
+
+std::string label_styles() {
+    std::string variables, classes;
+    for (const LabelRow& row : label_table) {
+        const std::string name(row.name);
+        variables += " --" + name + ": " + css(row.colour) + ";";
+        classes += ".part-" + name + " { background: var(--" + name + "); }\n";
+    }
+    return ":root {" + variables + " }\n" + classes;
 }
 
 } // namespace pantin

@@ -28,8 +28,8 @@ std::string maps(const CharacterStory& story, const Segmentation& segmentation) 
         const std::string name(label_names[l]);
         Svg map(story.width(), story.height(), "Where the network sees " + name);
         map.underlay(story.drawing(), 0.35);
-        map.image(picture_uri(veil(segmentation.probabilities[l], part_palette[l])), story.width(),
-                  story.height(), 0.9);
+        map.image(picture_uri(veil(segmentation.probabilities[l], row_of(static_cast<Label>(l)).colour)),
+                  story.width(), story.height(), 0.9);
         figures += "<figure data-label=\"" + name + "\">" + map.str("map") +
                    "<figcaption><span class=\"swatch part-" + name + "\"></span>" + name +
                    " <output></output></figcaption></figure>";
@@ -70,10 +70,27 @@ std::string areas(const LabelMap& labels) {
     return rows;
 }
 
+// A swatch and a name for each part.
+std::string legend() {
+    std::string text;
+    for (const Label label : part_labels)
+        text += " <span class=\"swatch part-" + std::string(name_of(label)) + "\"></span>" +
+                std::string(name_of(label));
+    return text;
+}
+
+// "1 head, 2 body, …": what to paint labels.png with.
+std::string grey_values() {
+    std::string text;
+    for (const Label label : part_labels)
+        text += std::to_string(static_cast<int>(label)) + " " + std::string(name_of(label)) + ", ";
+    return text + "0 not the character";
+}
+
 Svg painted(const CharacterStory& story, const LabelMap& labels) {
     RgbaImage image(labels.width(), labels.height());
     for (std::size_t i = 0; i < labels.size(); ++i) {
-        const Rgb8 c = part_palette[labels.data()[i]];
+        const Rgb8 c = row_of(static_cast<Label>(labels.data()[i])).colour;
         image.data()[i] = {c.r, c.g, c.b, static_cast<std::uint8_t>(labels.data()[i] ? 130 : 0)};
     }
     Svg picture(labels.width(), labels.height(),
@@ -86,7 +103,11 @@ Svg painted(const CharacterStory& story, const LabelMap& labels) {
 
 Values segment_chapter(const CharacterStory& story) {
     const LabelMap& labels = story.character.segmentation.labels;
-    Values values = {{"picture", painted(story, labels).str()}, {"areas", areas(labels)}};
+    Values values = {{"picture", painted(story, labels).str()},
+                     {"areas", areas(labels)},
+                     {"legend", legend()},
+                     {"parts", listed_parts()},
+                     {"values", grey_values()}};
     const Segmentation& segmentation = story.character.segmentation;
     if (!segmentation.router.empty()) {
         values["network"] = filled(asset("chapters/segment-network.html"),

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Shapes in pixels of the working size in, one SVG element out (own).
 #include "explain/svg.hpp"
 
 #include "explain/markup.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Bytes of a WebP or GIF in, frames and their times out, by libwebp and giflib.
 #include "export/decode_film.hpp"
 
 #include <algorithm>

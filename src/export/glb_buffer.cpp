@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Numbers in, the binary chunk and the accessors of a GLB out (glTF 2.0 specification, 3.6 and 4.4).
 #include "export/glb_buffer.hpp"
 
 #include <algorithm>

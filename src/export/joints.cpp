@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The rig's bones in, glTF joints out, at rest along +Y (glTF 2.0 specification, 3.7.3; joints.hpp has the
+// algebra).
 #include "export/joints.hpp"
 
 #include <algorithm>

@@ -14,7 +14,7 @@ SkeletonVertex read_vertex(const JsonReader& reader, std::size_t id, int width, 
     vertex.x = reader.at("x").number(-1, width);
     vertex.y = reader.at("y").number(-1, height);
     vertex.label = label_from_name(reader.at("label").text());
-    if (vertex.label == Label::background) reader.at("label").fail("must be head, body, limb, tail or wing");
+    if (vertex.label == Label::background) reader.at("label").fail("must be " + listed_parts());
     const std::string kind = reader.at("kind").text();
     if (kind != "end" && kind != "junction") reader.at("kind").fail("must be end or junction");
     vertex.end = kind == "end";

@@ -28,8 +28,6 @@ constexpr double most_inner_border = 6;
 
 [[noreturn]] void reject(const std::string& reason) { throw CharacterRejected("identify", reason); }
 
-bool can_move(Label label) { return label == Label::limb || label == Label::wing || label == Label::tail; }
-
 // Number of pairs of 4-neighbours that belong to two different parts.
 long inner_border(const LabelMap& labels) {
     long count = 0;
@@ -48,7 +46,7 @@ void reject_what_cannot_move(const SkeletonGraph& graph, const LabelMap& labels)
     bool head_end = false;
     for (const SkeletonVertex& v : graph.vertices) {
         ends += v.end;
-        moving_ends += v.end && can_move(v.label);
+        moving_ends += v.end && appendages.contains(v.label);
         head_end = head_end || (v.end && v.label == Label::head);
     }
     if (ends > most_ends) reject("a scribble: its skeleton has " + std::to_string(ends) + " ends");
@@ -56,9 +54,8 @@ void reject_what_cannot_move(const SkeletonGraph& graph, const LabelMap& labels)
     for (int l = 1; l < label_count; ++l)
         if (!part_region(labels, {static_cast<Label>(l)}).empty()) present.push_back(static_cast<Label>(l));
     if (present.size() == 1) reject("one part only: " + std::string(name_of(present[0])));
-    const double area =
-        part_region(labels, {Label::head, Label::body, Label::limb, Label::tail, Label::wing}).area;
-    const double moving = part_region(labels, {Label::limb, Label::tail, Label::wing}).area;
+    const double area = part_region(labels, all_parts).area;
+    const double moving = part_region(labels, appendages).area;
     if (static_cast<double>(inner_border(labels)) > most_inner_border * std::sqrt(area))
         reject("a scribble: its parts are scattered");
     const bool nods = head_end && part_region(labels, {Label::body}).area > smallest_body * area;

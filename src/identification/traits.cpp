@@ -19,8 +19,7 @@ double silhouette_area(const LabelMap& labels) {
 PartRegion trunk_of(const LabelMap& labels) {
     PartRegion body = part_region(labels, {Label::body});
     if (body.empty()) body = part_region(labels, {Label::body, Label::head});
-    if (body.empty())
-        body = part_region(labels, {Label::body, Label::head, Label::limb, Label::tail, Label::wing});
+    if (body.empty()) body = part_region(labels, all_parts);
     return body;
 }
 
@@ -57,11 +56,11 @@ double at(int count, int most) { return static_cast<double>(std::min(count, most
 
 } // namespace
 
-PartRegion part_region(const LabelMap& labels, std::initializer_list<Label> parts) {
+PartRegion part_region(const LabelMap& labels, LabelSet parts) {
     Mask mask(labels.width(), labels.height());
     for (int y = 0; y < labels.height(); ++y)
         for (int x = 0; x < labels.width(); ++x)
-            mask(x, y) = std::count(parts.begin(), parts.end(), static_cast<Label>(labels(x, y))) > 0;
+            mask(x, y) = parts.contains(static_cast<Label>(labels(x, y)));
     const Components components = connected_components(mask);
     const double smallest = speck_share * silhouette_area(labels);
     std::vector<Point2d> sums(components.list.size());

@@ -30,6 +30,6 @@ struct PartRegion {
 };
 // The pieces (8-connected) of the pixels that carry one of the labels, specks below 0.3 % of the silhouette
 // dropped.
-PartRegion part_region(const LabelMap& labels, std::initializer_list<Label> parts);
+PartRegion part_region(const LabelMap& labels, LabelSet parts);
 
 } // namespace pantin

@@ -19,7 +19,7 @@ struct ContainerInfo {
     std::string problem; // empty when the file is whole, else what is wrong: "ends early", …
 };
 
-// Looks at the signature, the header and the structure; decodes no pixel.
+// Checks the signature, the header and the structure; decodes no pixel.
 ContainerInfo read_container(std::span<const unsigned char> bytes);
 
 // The orientation in a TIFF structure (the part of an APP1 segment after "Exif\0\0"): first directory, tag

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// PNG or JPEG bytes in, pixels out: checked by containers.cpp, decoded by stb_image, turned by its EXIF
+// orientation.
 #include <cstdlib>
 #include <memory>
 #include <string>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Pixels in, PNG bytes out, by stb_image_write.
 #include <cstdlib>
 #include <cstring>
 #include <memory>

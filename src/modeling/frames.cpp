@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A view, moves and a symmetry in, the frame of a part's canvas out (strokes.hpp; RealSkel 4.1, utilities).
 #include "modeling/frames.hpp"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// An inflated part in, a function out that is negative inside of it and grows with the distance (own; for
+// unite()).
 #include "modeling/part_field.hpp"
 
 #include <algorithm>

@@ -129,30 +129,13 @@ void prune_short(std::vector<std::vector<int>>& neighbours, const std::vector<Po
     }
 }
 
-Rgb8 default_colour(Label label) {
-    switch (label) {
-    case Label::head:
-        return {240, 196, 150};
-    case Label::body:
-        return {226, 170, 120};
-    case Label::limb:
-        return {214, 152, 104};
-    case Label::tail:
-        return {200, 138, 92};
-    case Label::wing:
-        return {170, 196, 226};
-    default:
-        return {210, 210, 210};
-    }
-}
-
 } // namespace
 
 Label label_of(const ModelPart& part) {
     return part.stroke.label != Label::background ? part.stroke.label : label_of_part(part.stroke.name);
 }
 
-Rgb8 colour_of(const ModelPart& part) { return part.stroke.colour.value_or(default_colour(label_of(part))); }
+Rgb8 colour_of(const ModelPart& part) { return part.stroke.colour.value_or(row_of(label_of(part)).solid); }
 
 Point2d project(const ModelView& view, Vec3 p) {
     return view.offset + view.scale * Point2d{p.x + view.shear.x * p.z, -(p.y + view.shear.y * p.z)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Part labels of a scanned drawing as strokes (include/pantin/model_view.hpp).
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "pantin/error.hpp"
@@ -11,7 +12,15 @@
 namespace pantin {
 namespace {
 
-constexpr Label modelling_order[] = {Label::body, Label::head, Label::limb, Label::tail, Label::wing};
+// The trunk first, that the other parts meet.
+constexpr std::array<Label, part_labels.size()> modelling_order = [] {
+    std::array<Label, part_labels.size()> order{};
+    std::size_t next = 0;
+    for (const bool trunk : {true, false})
+        for (const Label label : part_labels)
+            if ((role_of(label) == PartRole::trunk) == trunk) order[next++] = label;
+    return order;
+}();
 constexpr double least_share = 0.002; // of the silhouette: smaller pieces are left out
 constexpr int smoothing = 2;          // border pixels to each side whose mean is a point of the stroke
 constexpr double least_reach = 2;     // pixels that a part extends into its neighbour

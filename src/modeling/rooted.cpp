@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Trees of joints in, the same with roots and parents out (docs/errata.md, 27).
 #include "modeling/rooted.hpp"
 
 #include <algorithm>

@@ -32,7 +32,7 @@ OnSkeleton seen_at(const ModelSkeleton& skeleton, const ModelView& view, Point2d
     return best;
 }
 
-// Working pixels and depth of the rig's world (animation.hpp), which looks straight from the front.
+// Working pixels and depth of the rig's world (animation.hpp), seen straight from the front.
 struct Straight {
     const ModelView& view;
     Point2d pixel(Vec3 p) const { return view.offset + view.scale * Point2d{p.x, -p.y}; }

@@ -199,8 +199,7 @@ private:
         if (reader.has("height")) part.height = read_positive(reader, "height", huge);
         if (reader.has("label")) {
             part.label = label_from_name(reader.at("label").text());
-            if (part.label == Label::background)
-                reader.at("label").fail("must be head, body, limb, tail or wing");
+            if (part.label == Label::background) reader.at("label").fail("must be " + listed_parts());
         }
         if (reader.has("colour")) part.colour = read_colour(reader.at("colour"));
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Attribute text of an SVG in, polylines, matrices and numbers out (SVG 2, W3C 2018, chapters 8 and 9).
 #include "modeling/svg_path.hpp"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// A function on a body-centred cubic lattice in, its zero surface as triangles out: marching tetrahedra (Doi
+// & Koide 1991) after isosurface stuffing (Labelle & Shewchuk 2007).
 #include "modeling/tetrahedra.hpp"
 
 #include <algorithm>

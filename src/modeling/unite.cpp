@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Inflated parts in, one closed surface out: the zero set of the smallest of their distances (RealSkel 4.1;
+// docs/errata.md, 29).
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -3,46 +3,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/file.hpp"
-#include "pantin/export.hpp"
-#include "pantin/image.hpp"
 #include "pantin/network.hpp"
 
 namespace pantin {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-void write_frames(const fs::path& folder, const std::vector<RgbaImage>& frames) {
-    create_folder(folder);
-    char name[32];
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        std::snprintf(name, sizeof name, "%04zu.png", i + 1);
-        save_png(folder / name, frames[i]);
-    }
-    // Frames of a longer clip that was written here before would be shown after these.
-    std::error_code ignored;
-    for (std::size_t i = frames.size() + 1;; ++i) {
-        std::snprintf(name, sizeof name, "%04zu.png", i);
-        if (!fs::remove(folder / name, ignored)) break;
-    }
-}
-
-} // namespace
-
-bool wants(const RenderRequest& request, const std::string& format, bool first) {
+bool wants(const RenderRequest& request, const FilmFormat& format, bool first) {
     if (!request.formats.empty())
-        return std::find(request.formats.begin(), request.formats.end(), format) != request.formats.end();
-    if (format == "webp") return webp_available();
-    return format == "gif" && first && gif_available();
+        return std::find(request.formats.begin(), request.formats.end(), format.name) !=
+               request.formats.end();
+    return is_available(format) && (format.written == FilmFormat::Default::every_clip ||
+                                    (first && format.written == FilmFormat::Default::first_clip));
 }
 
 bool wants_pictures(const RenderRequest& request) {
-    return request.formats.empty() || std::any_of(request.formats.begin(), request.formats.end(),
-                                                  [](const std::string& format) { return format != "bvh"; });
+    const std::span<const FilmFormat> formats = film_formats();
+    return request.formats.empty() || std::any_of(formats.begin(), formats.end(), [&](const FilmFormat& f) {
+               return f.film && wants(request, f, true);
+           });
 }
 
 Film blank_film(double duration, double fps) {
@@ -68,12 +49,17 @@ Film render_film(const Rig& rig, const BoneAnimation& animation, const RgbaImage
 
 void write_film(const Film& film, const fs::path& folder, const std::string& stem,
                 const fs::path& frames_folder, const RenderRequest& request, bool first) {
-    const auto file = [&](const char* ending) { return folder / (stem + ending); };
-    if (wants(request, "webp", first)) write_file(file(".webp"), encode_webp(film.frames, film.fps));
-    if (wants(request, "gif", first)) write_file(file(".gif"), encode_gif(film.frames, film.fps));
-    if (wants(request, "apng", first)) write_file(file(".apng"), encode_apng(film.frames, film.fps));
-    if (wants(request, "mp4", first)) write_mp4(file(".mp4"), film.frames, film.fps);
-    if (wants(request, "png", first)) write_frames(frames_folder, film.frames);
+    for (const FilmFormat& format : film_formats())
+        if (format.film && wants(request, format, first))
+            format.film(format.ending.empty() ? frames_folder : folder / (stem + std::string(format.ending)),
+                        film.frames, film.fps);
+}
+
+void write_motions(const Rig& rig, const BoneAnimation& animation, const fs::path& folder,
+                   const std::string& stem, const RenderRequest& request, bool first) {
+    for (const FilmFormat& format : film_formats())
+        if (format.motion && wants(request, format, first))
+            write_file(folder / (stem + std::string(format.ending)), format.motion(rig, animation));
 }
 
 } // namespace pantin

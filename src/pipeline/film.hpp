@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "export/film_formats.hpp"
 #include "pantin/pipeline.hpp"
 
 namespace pantin {
@@ -16,9 +17,9 @@ struct Film {
     double fps = 25;
 };
 
-// Whether a format is asked for; without any it is WebP, and GIF when `first`.
-bool wants(const RenderRequest& request, const std::string& format, bool first);
-bool wants_pictures(const RenderRequest& request); // not BVH alone
+// Whether a format is asked for; without any it is what the table writes of every clip, or of the `first`.
+bool wants(const RenderRequest& request, const FilmFormat& format, bool first);
+bool wants_pictures(const RenderRequest& request); // not motions alone
 
 // An empty film for a loop of `duration` seconds: a whole number of frames that fills it, at about the wanted
 // rate.
@@ -32,5 +33,9 @@ Film render_film(const Rig& rig, const BoneAnimation& animation, const RgbaImage
 // Writes folder/<stem>.webp and so on in the wanted formats; PNG frames go to `frames_folder`.
 void write_film(const Film& film, const std::filesystem::path& folder, const std::string& stem,
                 const std::filesystem::path& frames_folder, const RenderRequest& request, bool first);
+
+// Writes folder/<stem>.bvh and so on in the wanted formats that have no pictures.
+void write_motions(const Rig& rig, const BoneAnimation& animation, const std::filesystem::path& folder,
+                   const std::string& stem, const RenderRequest& request, bool first);
 
 } // namespace pantin

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <vector>
 
+#include "export/film_formats.hpp"
 #include "formats/file_names.hpp"
 #include "pantin/error.hpp"
 #include "pantin/page.hpp"
@@ -32,8 +33,6 @@ constexpr const char* own_files[] = {file_names::drawing,
                                      file_names::glb,
                                      file_names::skeleton_comparison_picture,
                                      file_names::skeleton_comparison};
-constexpr const char* film_endings[] = {".webp", ".gif", ".apng", ".mp4", ".bvh"};
-
 // A run that was killed may leave the beginning of a file: `.<name>.<process>.part`, and `<name>.mp4.part` of
 // ffmpeg.
 std::string without_part(const std::string& name) {
@@ -44,17 +43,21 @@ std::string without_part(const std::string& name) {
     return begun.starts_with('.') && process > 1 ? begun.substr(1, process - 1) : name;
 }
 
+// Whether the test holds for the ending of a film format.
+bool is_film(const auto& test) {
+    return std::ranges::any_of(film_formats(),
+                               [&](const FilmFormat& f) { return !f.ending.empty() && test(f.ending); });
+}
+
 bool is_page_file(const std::string& name) {
     return name == file_names::page ||
-           std::any_of(std::begin(film_endings), std::end(film_endings),
-                       [&](const char* ending) { return name == file_names::scene + std::string(ending); });
+           is_film([&](std::string_view ending) { return name == file_names::scene + std::string(ending); });
 }
 
 bool is_own_file(const std::string& name) {
     if (std::find(std::begin(own_files), std::end(own_files), name) != std::end(own_files)) return true;
-    if (!name.starts_with(file_names::animation)) return false;
-    return std::any_of(std::begin(film_endings), std::end(film_endings),
-                       [&](const char* ending) { return name.ends_with(ending); });
+    return name.starts_with(file_names::animation) &&
+           is_film([&](std::string_view ending) { return name.ends_with(ending); });
 }
 
 void remove_files(const fs::path& folder, bool (*is_ours)(const std::string&)) {

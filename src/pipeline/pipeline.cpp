@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "core/file.hpp"
 #include "formats/animated_drawings.hpp"
 #include "formats/character_folder.hpp"
 #include "formats/file_names.hpp"
@@ -85,8 +84,7 @@ void run_steps(Character& c, const fs::path& folder, Step first, Step last, Cont
     // Step 6 (4.6, 6.1): the clips, frame by frame.
     if (runs(Step::render)) {
         for (const ClipFilm& clip : clip_films(c, context)) {
-            if (wants(settings.render, "bvh", clip.first))
-                write_file(folder / (clip.stem + ".bvh"), to_bvh(c.rig, clip.animation));
+            write_motions(c.rig, clip.animation, folder, clip.stem, settings.render, clip.first);
             if (!wants_pictures(settings.render)) continue;
             const Film film = render_film(c.rig, clip.animation, c.texture, clip.view, settings);
             write_film(film, folder, clip.stem, folder / file_names::frames / clip.animation.name,

@@ -22,8 +22,7 @@ constexpr int zoom = 2; // pixels of the picture to one of the labels, so that l
 constexpr int gap = 8;  // between panels
 
 constexpr Rgb8 paper{255, 255, 255}, divider{90, 90, 90};
-constexpr std::array<Rgb8, label_count> pale = {
-    {paper, {255, 226, 200}, {226, 236, 255}, {226, 246, 220}, {246, 226, 250}, {255, 246, 196}}}; // by label
+constexpr std::array<Rgb8, label_count> pale = label_column(&LabelRow::pale);
 constexpr Rgb8 ridge_colour{255, 160, 60}, dropped_colour{40, 40, 40}, edge_colour{30, 80, 220};
 constexpr Rgb8 end_colour{220, 20, 40}, junction_colour{0, 140, 60};
 constexpr double end_radius = 3, junction_radius = 2.5; // pixels of the labels

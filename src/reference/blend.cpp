@@ -50,8 +50,6 @@ int joint_at(const ReferenceSkeleton& skeleton, int node) {
     return -1;
 }
 
-constexpr Label moving_labels[] = {Label::head, Label::limb, Label::tail, Label::wing};
-
 // Whose tracks move a joint.
 enum class Owner { both, first, second };
 
@@ -62,7 +60,8 @@ public:
         for (std::size_t j = 0; j < second.joints.size(); ++j)
             if (j == 0 || second.nodes[second.joints[j].node].label == Label::body)
                 joint_[j] = j == 0 ? 0 : index_of(first.joints, second.joints[j].name);
-        for (const Label label : moving_labels) pair_ends(label);
+        for (const Label label : part_labels)
+            if (role_of(label) != PartRole::trunk) pair_ends(label);
         for (ReferenceClip& clip : result_.clips) mix(clip);
     }
     ReferenceSkeleton take() { return std::move(result_); }

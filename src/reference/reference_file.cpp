@@ -65,7 +65,7 @@ ReferenceNode read_node(const JsonReader& reader, const std::vector<ReferenceNod
     ReferenceNode node;
     node.name = new_name(reader, before);
     node.label = label_from_name(read_name(reader.at("label")));
-    if (node.label == Label::background) reader.at("label").fail("must be head, body, limb, tail or wing");
+    if (node.label == Label::background) reader.at("label").fail("must be " + listed_parts());
     node.x = reader.at("x").number(0, 1);
     node.y = reader.at("y").number(0, 1);
     node.r = reader.at("r").number(0.001, 0.5);

@@ -297,7 +297,7 @@ private:
         }
         if (!nearest) return; // what the mapping said, if anything
         limb.reference_end = nearest->reference_end;
-        limb.phase_shift = limb.label == Label::limb ? 0.5 : 0; // legs alternate, wings beat together
+        limb.phase_shift = row_of(limb.label).alternates ? 0.5 : 0; // legs do, wings beat together
     }
 
     void measure(Limb& limb) const {

@@ -236,7 +236,7 @@ std::vector<double> prominence_of(const SkeletonGraph& graph, const std::vector<
                                   const std::vector<Label>& reference_labels) {
     std::vector<double> lengths, prominence(ends.size(), 1);
     for (const int e : ends) lengths.push_back(part_length(graph, e));
-    for (const Label label : {Label::head, Label::body, Label::limb, Label::tail, Label::wing}) {
+    for (const Label label : part_labels) {
         std::vector<std::size_t> group;
         for (std::size_t i = 0; i < ends.size(); ++i)
             if (graph.vertices[ends[i]].label == label) group.push_back(i);
@@ -389,7 +389,8 @@ Mapping map_end_effectors(const SkeletonGraph& graph, const LabelMap& labels,
     std::vector<int> partner = hungarian(mapping.costs);
     for (std::size_t i = 0; i < partner.size(); ++i)
         if (partner[i] >= 0 && mapping.costs[i][partner[i]] >= options.unmatched_cost) partner[i] = -1;
-    for (const Label label : {Label::limb, Label::wing}) uncross(label, problem, partner);
+    for (const Label label : part_labels)
+        if (row_of(label).sided) uncross(label, problem, partner);
     list_pairs(mapping, partner);
     return mapping;
 }

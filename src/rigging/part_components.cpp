@@ -81,7 +81,8 @@ std::vector<Point2d> longest_path(const PartComponent& part, const Grid<int>& id
 
 std::vector<PartComponent> part_components(const LabelMap& labels, const Grid<float>& depth, int min_area) {
     std::vector<PartComponent> parts;
-    for (const Label label : {Label::head, Label::limb, Label::tail, Label::wing}) {
+    for (const Label label : part_labels) {
+        if (role_of(label) == PartRole::trunk) continue;
         Mask mask(labels.width(), labels.height());
         for (std::size_t i = 0; i < mask.size(); ++i)
             mask.data()[i] = depth.data()[i] > 0 && labels.data()[i] == static_cast<std::uint8_t>(label);

@@ -3,6 +3,7 @@
 // Algorithm 4.4 on one bone per end-effector; otherwise limbs have several bones along the skeleton and
 // smooth weights.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "pantin/error.hpp"
@@ -50,27 +51,17 @@ std::vector<Point2d> texture_coordinates(const Mesh& mesh, int width, int height
 
 // Draw order at rest, from back to front: tail, every second limb, body, wings, the other limbs, head.
 double layer_of(const Bone& bone, int limb_index) {
-    switch (bone.label) {
-    case Label::tail:
-        return -2;
-    case Label::wing:
-        return 1;
-    case Label::head:
-        return 3;
-    case Label::limb:
-        return limb_index % 2 == 0 ? 2 : -1;
-    default:
-        return 0;
-    }
+    const LabelRow& row = row_of(bone.label);
+    return limb_index % 2 == 0 ? row.layer : row.second;
 }
 
 std::vector<double> part_depths(const std::vector<Bone>& bones, const std::vector<VertexWeights>& weights) {
     std::vector<double> layer(bones.size(), 0);
-    int limbs = 0;
+    std::array<int, label_count> limbs{}; // seen so far, by label
     for (std::size_t b = 1; b < bones.size(); ++b) {
         const bool continues = bones[b].segment > 0;
-        layer[b] = continues ? layer[bones[b].parent] : layer_of(bones[b], limbs);
-        if (!continues && bones[b].label == Label::limb) ++limbs;
+        layer[b] = continues ? layer[bones[b].parent]
+                             : layer_of(bones[b], limbs[static_cast<std::size_t>(bones[b].label)]++);
     }
     std::vector<double> depth;
     for (const VertexWeights& w : weights) {

@@ -108,7 +108,8 @@ Expert read_expert(const WeightFile& file, const std::string& name, const Layout
     if (reader.extent(name + ".logits.weight", 4, 1) != label_count ||
         reader.extent(name + ".logits.weight", 4, 2) != 2 ||
         reader.extent(name + ".logits.weight", 4, 3) != 2)
-        file.fail("tensor '" + name + ".logits.weight' does not make six labels at twice the size");
+        file.fail("tensor '" + name + ".logits.weight' does not make " + std::to_string(label_count) +
+                  " labels at twice the size");
     Expert expert{{}, {}, reader.transposed_convolution(name + ".logits", layout.decoder.back(), doubling)};
     int width = layout.widths.back();
     for (std::size_t i = 0; i < layout.contexts.size(); ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The modeling room: the parts of a drawing to strokes, a skeleton in space, an inflated part, one closed
-// surface and its weights.
+// The stages of the module `modeling`: the parts of a drawing to strokes, a skeleton in space, an inflated
+// part, one closed surface and its weights.
 #include "formats/file_names.hpp"
 #include "formats/model_file.hpp"
 #include "pantin/export.hpp"

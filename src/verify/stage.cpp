@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The drawings and stages of the verification in the order of the flow, and their access to files (own).
 #include "verify/stage.hpp"
 
 #include <span>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Products of the steps to JSON and back, every double to the bit (own; docs/formats.md, "Reference
+// vectors").
 #include "verify/step_files.hpp"
 #include "formats/file_names.hpp"
 

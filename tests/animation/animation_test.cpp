@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Retargeted clips and skinning: hand-worked poses, and what holds for every clip of every reference.
 #include <catch2/catch.hpp>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Recorded motions on a drawn figure: directions of limbs, facing, the way of the hips.
 #include <catch2/catch.hpp>
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Feet that keep the ground: steps, planted feet, legs that are too short.
 #include <catch2/catch.hpp>
 
 #include <algorithm>

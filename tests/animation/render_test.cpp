@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The rasteriser, textures and views on small hand-made rigs.
 #include <catch2/catch.hpp>
 
 #include <algorithm>

@@ -132,7 +132,7 @@ TEST_CASE("Pictures of a character fit together", "[cli][end-to-end]") {
         CHECK(labels.height() == mask.height());
         CHECK(skeleton.width() == mask.width());
         for (const std::uint8_t value : mask) REQUIRE((value == 0 || value == 255));
-        for (const std::uint8_t value : labels) REQUIRE(value <= 5);
+        for (const std::uint8_t value : labels) REQUIRE(value < label_count);
         for (int y = 0; y < skeleton.height(); ++y)
             for (int x = 0; x < skeleton.width(); ++x)
                 if (skeleton(x, y) != 0) REQUIRE(labels(x, y) != 0);

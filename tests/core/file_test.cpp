@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Whole files: read, replaced, refused.
 #include <catch2/catch.hpp>
 
 #include <functional>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Elementary functions against those of long double: below one ulp; exact and special values.
 #include <catch2/catch.hpp>
 
 #include <cmath>

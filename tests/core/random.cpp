@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Random numbers: the published sequence, ranges, moments, independent streams.
 #include "core/random.hpp"
 
 #include <cmath>

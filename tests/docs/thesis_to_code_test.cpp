@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 const fs::path page = "docs/thesis-to-code.md";
 
-// What both papers number, but for what has a row for a range of figures.
+// What both publications number, but for what has a row for a range of figures.
 std::vector<std::string> numbered() {
     std::vector<std::string> places;
     const auto add = [&](const std::string& prefix, int first, int last) {
@@ -114,7 +114,8 @@ bool defines(const std::string& source, const std::string& qualified) {
 
 } // namespace
 
-TEST_CASE("Every numbered equation, algorithm, definition and figure of both papers has one row", "[docs]") {
+TEST_CASE("Every numbered equation, algorithm, definition and figure of both publications has one row",
+          "[docs]") {
     const auto rows = rows_of(read(page));
     for (const std::string& place : numbered()) {
         CAPTURE(place);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Curves, polygons and lines of the generator of drawings.
 #include <algorithm>
 #include <cmath>
 #include <numeric>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Generated drawings: their truth, their variety, the same bytes from the same seed.
 #include <algorithm>
 #include <array>
 #include <fstream>

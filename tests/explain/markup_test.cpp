@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Escapes, data URIs, numbers and templates of the page.
 #include <catch2/catch.hpp>
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// APNG: chunks, checksums, times and pixels, decoded by the test itself.
 #include <catch2/catch.hpp>
 
 #include <cstdint>

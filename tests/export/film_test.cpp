@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
+// WebP and GIF: pixels, palette, times and loop, decoded again; the table of film formats.
 #include <catch2/catch.hpp>
 
+#include "core/file.hpp"
+#include "export/film_formats.hpp"
 #include "pantin/error.hpp"
 #include "pantin/export.hpp"
 #include "support/films.hpp"
@@ -108,4 +111,16 @@ TEST_CASE("A GIF frame without a visible pixel is still a frame", "[export]") {
 TEST_CASE("An animation without frames is an internal error", "[export]") {
     CHECK_THROWS_AS(encode_webp({}, 25), Error);
     CHECK_THROWS_AS(encode_gif({}, 25), Error);
+}
+
+TEST_CASE("Film formats are found by name, and docs/formats.md has the ending of each", "[export]") {
+    const std::string document = read_text("docs/formats.md");
+    for (const FilmFormat& format : film_formats()) {
+        INFO(format.name);
+        CHECK(film_format(format.name) == &format);
+        CHECK(document.find(format.ending.empty() ? std::string(format.name) : std::string(format.ending)) !=
+              std::string::npos);
+    }
+    CHECK(film_format("avi") == nullptr);
+    CHECK(film_format_names(" or ") == "webp, gif, apng, mp4, png or bvh");
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// GLB: structure, weights, and that its animation moves the mesh as skin() does.
 #include <catch2/catch.hpp>
 
 #include <array>

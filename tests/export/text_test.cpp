@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// OBJ, MTL and weights.txt.
 #include <catch2/catch.hpp>
 
 #include <sstream>

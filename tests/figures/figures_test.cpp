@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The figures of docs/figures, drawn again: the same bytes.
 #include <catch2/catch.hpp>
 
 #include <filesystem>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The file of judgements by eye.
 #include <catch2/catch.hpp>
 
 #include "figures/verdicts.hpp"

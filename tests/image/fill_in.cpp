@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Holes that are filled with the colours around them.
 #include <catch2/catch.hpp>
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// PNG and JPEG files made by the tests, byte by byte.
 #include "image_files.hpp"
 
 #include <unistd.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Pictures in and out: every kind of PNG and JPEG, and damaged ones.
 #include <catch2/catch.hpp>
 
 #include "image/containers.hpp"

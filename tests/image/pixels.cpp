@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Pixel operations against plain definitions: morphology, components, distances, sizes.
 #include <catch2/catch.hpp>
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Ink and darkness of pictures with shadows, tints and filled areas.
 #include <catch2/catch.hpp>
 
 #include <random>

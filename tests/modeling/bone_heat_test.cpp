@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Skin weights of solids: sums, symmetry, smoothness, hand-worked cases.
 #include <catch2/catch.hpp>
 
 #include <algorithm>

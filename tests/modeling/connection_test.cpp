@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// How parts hang on one another: both events, parents, copies.
 #include <catch2/catch.hpp>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The interactive model: every call against a model that is built anew.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -358,7 +359,7 @@ TEST_CASE("copies of a model do not change each other") {
     CHECK(same(model, two_parts()));
 }
 
-TEST_CASE("parts of a part that is removed look for another parent") {
+TEST_CASE("parts of a part that is removed connect anew") {
     Model model = two_parts();
     model.add_part(test::part("shoe", test::disc({14, 92}, 12), "leg"));
     REQUIRE(model.parts()[2].parent == 1);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// From labels to strokes, and from models to pictures, skeletons and rigs.
 #include <catch2/catch.hpp>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Strokes, models and checks of surfaces in space for the tests of this room.
+// Strokes, models and checks of surfaces in space for the tests of this module.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Strokes as JSON and SVG: read, written, put right, refused.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -735,10 +736,9 @@ TEST_CASE("A bad part is an error that names file, part and fact") {
     CHECK(part_error(R"("height": 0)") == "strokes.json: part 'tail': height must be greater than 0");
     CHECK(part_error(R"("height": -2)") == "strokes.json: part 'tail': height must be greater than 0");
     CHECK(part_error(R"("height": null)") == "strokes.json: part 'tail'.height: must be a number");
-    CHECK(part_error(R"("label": "nose")") ==
-          "strokes.json: part 'tail'.label: must be head, body, limb, tail or wing");
+    CHECK(part_error(R"("label": "nose")") == "strokes.json: part 'tail'.label: must be " + listed_parts());
     CHECK(part_error(R"("label": "background")") ==
-          "strokes.json: part 'tail'.label: must be head, body, limb, tail or wing");
+          "strokes.json: part 'tail'.label: must be " + listed_parts());
     for (const char* colour : {"red", "#fff", "#12345g", "#1234567", "123456#", ""})
         CHECK(part_error("\"colour\": \"" + std::string(colour) + "\"") ==
               "strokes.json: part 'tail'.colour: must be a colour, #rrggbb");
@@ -1069,7 +1069,7 @@ TEST_CASE("A bad drawing is an error that names file, element and place") {
     CHECK(bad("<path id='p' data-symmetric='' " + triangle + "/>") ==
           "drawing.svg: part 'p'.symmetric: must be true, false, x, y or z");
     CHECK(bad("<path id='p' data-label='nose' " + triangle + "/>") ==
-          "drawing.svg: part 'p'.label: must be head, body, limb, tail or wing");
+          "drawing.svg: part 'p'.label: must be " + listed_parts());
     CHECK(bad("<path id='p' data-parent='p' " + triangle + "/>") ==
           "drawing.svg: part 'p': is its own parent");
     CHECK(bad("<path id='p' data-parent='q' " + triangle + "/><path id='q' data-parent='p' " + triangle +

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Sub-skeletons of outlines: BoundedDP, cylinders, refinement.
 #include <catch2/catch.hpp>
 
 #include <algorithm>

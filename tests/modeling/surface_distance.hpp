@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far one surface is from another, for the tests of this room.
+// How far one surface is from another, for the tests of this module.
 #pragma once
 
 #include <algorithm>

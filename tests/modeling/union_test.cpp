@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// United surfaces: closed, oriented, the volume that they should have.
 #include <catch2/catch.hpp>
 
 #include <algorithm>

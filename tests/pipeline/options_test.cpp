@@ -87,7 +87,7 @@ TEST_CASE("A wrong configuration is an error that names the file and the option"
           std::string::npos);
 }
 
-TEST_CASE("The thesis preset is the paper: arc residual, 321 pixels, holes kept, its score", "[pipeline]") {
+TEST_CASE("The thesis preset is the thesis: arc residual, 321 pixels, holes kept, its score", "[pipeline]") {
     const Options thesis = make_preset("thesis");
     CHECK(thesis.detection.working_size == 321);
     CHECK(thesis.skeletonization.residual == Residual::arc);

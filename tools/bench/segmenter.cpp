@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shipped segmentation network alone, one look and the six of the default, on one thread and two.
+// The shipped segmentation network alone, one view and the six of the default, on one thread and two.
 #include "bench.hpp"
 #include "core/resources.hpp"
 #include "segmentation/views.hpp"
@@ -14,11 +14,11 @@ void bench_segmenter(int rounds) {
     compare("segmentation network, forward",
             {{"one thread", [&] { net.forward(ink, one); }},
              {"two threads", [&] { net.forward(ink, two); }},
-             {"one thread, six looks",
+             {"one thread, six views",
               [&] {
                   segmentation::look(net, ink, {true, 20, 30}, one);
               }},
-             {"two threads, six looks",
+             {"two threads, six views",
               [&] {
                   segmentation::look(net, ink, {true, 20, 30}, two);
               }}},

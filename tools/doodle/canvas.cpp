@@ -96,7 +96,7 @@ Hand random_hand(Random& r, const DoodleOptions& options) {
     return hand;
 }
 
-std::string place_figure(Figure& figure, Random& r, Box room, const DoodleOptions& options) {
+std::string place_figure(Figure& figure, Random& r, Box area, const DoodleOptions& options) {
     const bool mirror = r.chance(0.5);
     const double turn =
         figure.max_tilt * options.tilt * (figure.max_tilt < 1.0 ? 0.5 * r.normal() : r.uniform(-1.0, 1.0));
@@ -109,10 +109,10 @@ std::string place_figure(Figure& figure, Random& r, Box room, const DoodleOption
             if (part.kind == PartKind::mark) continue;
             x0 = std::min(x0, p.x), x1 = std::max(x1, p.x), y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
         }
-    const double scale = fill * std::min(room.width / (x1 - x0), room.height / (y1 - y0));
-    const double slack_x = std::max(0.0, room.width - scale * (x1 - x0)),
-                 slack_y = std::max(0.0, room.height - scale * (y1 - y0));
-    const Point2d corner{room.x + slack_x * r.uniform(0.15, 0.85), room.y + slack_y * r.uniform(0.15, 0.85)};
+    const double scale = fill * std::min(area.width / (x1 - x0), area.height / (y1 - y0));
+    const double slack_x = std::max(0.0, area.width - scale * (x1 - x0)),
+                 slack_y = std::max(0.0, area.height - scale * (y1 - y0));
+    const Point2d corner{area.x + slack_x * r.uniform(0.15, 0.85), area.y + slack_y * r.uniform(0.15, 0.85)};
     for (Part& part : figure.parts)
         for (Point2d& p : part.outline.points) p = corner + scale * (p - Point2d{x0, y0});
     const double heading = (mirror ? pi - figure.heading : figure.heading) + tilt;

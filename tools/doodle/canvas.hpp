@@ -43,8 +43,8 @@ struct Layer {
     LabelMap labels;
 };
 
-// Scales, mirrors, tilts and moves the figure into the given room; returns the way it faces then.
-std::string place_figure(Figure& figure, Random& random, Box room, const DoodleOptions& options);
+// Scales, mirrors, tilts and moves the figure into the given area; returns the way it faces then.
+std::string place_figure(Figure& figure, Random& random, Box area, const DoodleOptions& options);
 // Draws a figure whose points are pixels.
 Layer draw_figure(const Figure& figure, const Hand& hand, Random& random, int width, int height);
 
@@ -64,13 +64,13 @@ void colour_in(Layer& layer, const Grid<std::uint8_t>& where, const Box& area, c
 // Value noise in [0, 1) that depends on the pixel and the seed only.
 double pixel_noise(int x, int y, std::uint64_t seed);
 
-enum class Look {
+enum class Finish {
     screen, // white, as a drawing program leaves it
     paper,  // tinted, perhaps ruled
     photo,  // paper under a camera
 };
-Look random_look(Random& random, const DoodleOptions& options);
+Finish random_finish(Random& random, const DoodleOptions& options);
 // Multiplies the ink onto a paper (paper.cpp).
-RgbImage on_paper(const Grid<Colour>& ink, Random& random, Look look);
+RgbImage on_paper(const Grid<Colour>& ink, Random& random, Finish finish);
 
 } // namespace pantin::doodle

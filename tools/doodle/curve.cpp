@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Few points in, curves out: Catmull-Rom splines, superellipses, ribbons, resampling.
 #include "doodle/curve.hpp"
 
 #include <algorithm>

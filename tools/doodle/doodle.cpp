@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A seed and options in, drawings and pages with their truth out.
 #include "doodle/doodle.hpp"
 
 #include <algorithm>
@@ -49,11 +50,11 @@ Drawn draw_alone(const std::string& what, Random& random, const Hand& hand, cons
     const std::string species = colon == std::string::npos ? options.species : what.substr(colon + 1);
     Figure figure = build_figure(random, type, species);
     const int margin = std::max(4, static_cast<int>(1.5 * hand.pen + hand.overshoot));
-    const Box room{margin, margin, options.width - 2 * margin, options.height - 2 * margin};
+    const Box area{margin, margin, options.width - 2 * margin, options.height - 2 * margin};
     Drawn drawn;
     drawn.character.type = type;
     drawn.character.species = figure.species;
-    drawn.character.pose = place_figure(figure, random, room, options);
+    drawn.character.pose = place_figure(figure, random, area, options);
     drawn.layer = draw_figure(figure, hand, random, options.width, options.height);
     drawn.character.box = label_box(drawn.layer.labels);
     return drawn;
@@ -81,8 +82,8 @@ Doodle draw_character(const std::string& type, std::uint64_t seed, const DoodleO
     Drawn drawn = draw_alone(type, figure, hand, options);
     Doodle doodle;
     static_cast<Character&>(doodle) = drawn.character;
-    const Look look = random_look(paper, options);
-    doodle.picture = on_paper(drawn.layer.ink, paper, look);
+    const Finish finish = random_finish(paper, options);
+    doodle.picture = on_paper(drawn.layer.ink, paper, finish);
     doodle.labels = std::move(drawn.layer.labels);
     return doodle;
 }
@@ -125,8 +126,8 @@ Page draw_page(const std::vector<std::string>& types, std::uint64_t seed, const 
         drawn.character.box.x += left, drawn.character.box.y += top;
         page.characters.push_back(drawn.character);
     }
-    const Look look = random_look(paper, options);
-    page.picture = on_paper(ink, paper, look);
+    const Finish finish = random_finish(paper, options);
+    page.picture = on_paper(ink, paper, finish);
     return page;
 }
 

@@ -15,9 +15,9 @@ namespace pantin::doodle {
 
 struct DoodleOptions {
     int width = 320, height = 320; // pixels of the picture; at least 64
-    double fill = 0.0;             // longer side of the character / room for it; 0: random in 0.6 … 0.95
-    double photo = 0.3;   // probability of the photo look: tinted paper, shadow, vignette, noise, blur
-    double paper = 0.1;   // probability of tinted or ruled paper where there is no photo look
+    double fill = 0.0;    // longer side of the character / side of its area; 0: random in 0.6 … 0.95
+    double photo = 0.3;   // probability of a photograph: tinted paper, shadow, vignette, noise, blur
+    double paper = 0.1;   // probability of tinted or ruled paper where it is no photograph
     double colour = 0.25; // probability that parts are coloured in
     double pen = 0.0;     // pen width in pixels; 0: random
     double gaps = 1.0;    // how much the outlines are interrupted (0: never, 1: as people do)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Calls that add parts in, a figure in painter's order out.
 #include "doodle/figure.hpp"
 
 namespace pantin::doodle {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Pixels in, baseline JPEG bytes out, by stb_image_write.
 #include <cstddef>
 
 #include "doodle/doodle.hpp"

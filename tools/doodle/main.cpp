@@ -120,7 +120,7 @@ int main(int argc, char** argv) {
     app.add_option("--colour", a.options.colour, "share of drawings that are coloured in")
         ->check(CLI::Range(0.0, 1.0));
     app.add_option("--pen", a.options.pen, "pen width in pixels (0: random)")->check(CLI::Range(0.0, 64.0));
-    app.add_option("--fill", a.options.fill, "size of the character in its room (0: random)")
+    app.add_option("--fill", a.options.fill, "size of the character in its area (0: random)")
         ->check(CLI::Range(0.0, 1.0));
     app.add_option("--gaps", a.options.gaps, "how much outlines are interrupted")
         ->check(CLI::Range(0.0, 2.0));

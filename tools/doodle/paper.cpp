@@ -171,14 +171,14 @@ RgbImage photographed(const Grid<Colour>& ink, Random& r) {
 
 } // namespace
 
-Look random_look(Random& r, const DoodleOptions& options) {
+Finish random_finish(Random& r, const DoodleOptions& options) {
     const bool photo = r.chance(options.photo), paper = r.chance(options.paper);
-    return photo ? Look::photo : paper ? Look::paper : Look::screen;
+    return photo ? Finish::photo : paper ? Finish::paper : Finish::screen;
 }
 
-RgbImage on_paper(const Grid<Colour>& ink, Random& r, Look look) {
-    if (look == Look::photo) return photographed(ink, r);
-    return look == Look::paper ? scanned(ink, r) : rounded(ink);
+RgbImage on_paper(const Grid<Colour>& ink, Random& r, Finish finish) {
+    if (finish == Finish::photo) return photographed(ink, r);
+    return finish == Finish::paper ? scanned(ink, r) : rounded(ink);
 }
 
 } // namespace pantin::doodle

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Polygons and lines in, masks and coverage out (non-zero winding; distance to a line).
 #include "doodle/raster.hpp"
 
 #include <algorithm>

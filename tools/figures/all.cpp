@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The list of all figures (docs/figures/README.md).
 #include "figures/figures.hpp"
 
 namespace pantin::figures {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Names of pictures in testdata/ in, what each step makes of them out, once each.
 #include "figures/gallery.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A run in, the picture of its end-effector mapping out (thesis, Fig. 4.16).
 #include "figures/mapping_picture.hpp"
 
 #include <algorithm>

@@ -15,8 +15,11 @@ inline constexpr Rgb8 paper{255, 255, 255}, ink{32, 32, 36}, faint{196, 200, 208
 inline constexpr Rgb8 silhouette_colour{52, 54, 60}; // black of the thesis, soft enough for lines on it
 inline constexpr Rgb8 accent{214, 40, 40}, second{30, 100, 210}, third{20, 140, 70}, fourth{214, 110, 0},
     highlight{226, 70, 190};
-inline constexpr std::array<Rgb8, label_count> part_colours = {
-    {paper, part_palette[1], part_palette[2], part_palette[3], part_palette[4], part_palette[5]}}; // by label
+inline constexpr std::array<Rgb8, label_count> part_colours = [] { // by label
+    std::array<Rgb8, label_count> colours = label_column(&LabelRow::colour);
+    colours[0] = paper;
+    return colours;
+}();
 
 inline constexpr Rgb8 mixed(Rgb8 a, Rgb8 b, double share_of_b) {
     const auto mix = [share_of_b](int x, int y) {

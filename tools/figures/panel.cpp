@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Products of the steps in, SVG shapes out, in coordinates of the working size.
 #include "figures/panel.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A run and a clip in, rendered frames in a row out (thesis, Fig. 4.19).
 #include "figures/rendering.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Runs in, one SVG a character out, to judge each step by eye.
 #include "figures/review.hpp"
 
 #include <algorithm>

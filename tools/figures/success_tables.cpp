@@ -53,7 +53,8 @@ void judge_skeleton(Judged& judged, const TruePage& truth, const SkeletonGraph& 
     const Mask figure = foreground(truth.labels);
     const double area = static_cast<double>(std::count(figure.begin(), figure.end(), 1));
     const auto ends = ends_on_page(graph, character);
-    for (const Label label : {Label::head, Label::limb, Label::tail, Label::wing}) {
+    for (const Label label : part_labels) {
+        if (role_of(label) == PartRole::trunk) continue;
         Mask part(figure.width(), figure.height());
         for (std::size_t i = 0; i < part.size(); ++i)
             part.data()[i] = truth.labels.data()[i] == static_cast<int>(label);

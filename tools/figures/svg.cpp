@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Shapes in CSS pixels in, the text of an SVG out.
 #include "figures/svg.hpp"
 
 #include <array>

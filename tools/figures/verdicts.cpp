@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// docs/verdicts.csv in, the last judgement of a drawing's step out.
 #include "figures/verdicts.hpp"
 
 #include <algorithm>

@@ -106,7 +106,9 @@ void evaluate(const LabelMap& labels, const std::vector<ReferenceSkeleton>& refe
 }
 
 void print_header() {
-    std::printf("folder\tid\tclass\ttype\tquality\thead\tbody\tlimb\ttail\twing\tstatus\tthesis\tratio\tfound"
+    std::printf("folder\tid\tclass\ttype\tquality");
+    for (const Label part : part_labels) std::printf("\t%s", std::string(name_of(part)).c_str());
+    std::printf("\tstatus\tthesis\tratio\tfound"
                 "\treference\tconfidence"
                 "\tggd_humanoid\tggd_quadruped\tggd_flying");
     for (const auto name : trait_names) std::printf("\t%s", std::string(name).c_str());

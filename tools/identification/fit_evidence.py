@@ -16,12 +16,17 @@ exp(-score): multinomial logistic regression, with a ridge on the weights of the
 import argparse
 import csv
 import hashlib
+import os
+import sys
 
 import numpy as np
 from scipy.optimize import minimize
 
 TYPES = ["humanoid", "quadruped", "flying"]
-PARTS = ["head", "body", "limb", "tail", "wing"]
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from labels import NAMES  # noqa: E402
+
+PARTS = NAMES[1:]
 
 
 def fold(drawing_id):

@@ -12,13 +12,17 @@ import glob
 import json
 import os
 import subprocess
+import sys
 import tempfile
 
 import cv2
 import numpy as np
 
-COLOURS = np.array([[255, 255, 255], [60, 90, 220], [220, 60, 60], [60, 180, 75], [245, 130, 48], [240, 200, 0]], np.uint8)
-NAMES = ["background", "head", "body", "limb", "tail", "wing"]
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+import labels as part_labels  # noqa: E402
+
+COLOURS = np.array([(255, 255, 255)] + part_labels.COLOURS[1:], np.uint8)
+NAMES = part_labels.NAMES
 
 
 def fit(image, cell):
@@ -49,7 +53,7 @@ def silhouette_view(folder):
 
 def label_view(folder):
     labels = cv2.imread(f"{folder}/labels.png", cv2.IMREAD_GRAYSCALE)
-    return COLOURS[np.minimum(labels, 5)] if labels is not None else np.full((16, 16, 3), 255, np.uint8)
+    return COLOURS[np.minimum(labels, len(NAMES) - 1)] if labels is not None else np.full((16, 16, 3), 255, np.uint8)
 
 
 def skeleton_view(folder):

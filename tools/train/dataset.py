@@ -214,7 +214,7 @@ def augment(ink, labels, expert, pose, rng, size):
         labels = cv2.warpAffine(labels, matrix, (size, size), flags=cv2.INTER_NEAREST)
     if flip and pose != UNKNOWN:
         pose = POSES.index(POSES[pose].translate(str.maketrans("EW", "WE")))
-    return cut_out(look(ink, rng), rng), labels, expert, pose
+    return cut_out(as_photographed(ink, rng), rng), labels, expert, pose
 
 
 def cut_out(ink, rng):
@@ -228,7 +228,7 @@ def cut_out(ink, rng):
     return ink
 
 
-def look(ink, rng):
+def as_photographed(ink, rng):
     """pen width, strength, blur, residue of the paper: what is left of a photograph after it was normalised."""
     choice = rng.random()
     if choice < 0.12:

@@ -5,11 +5,16 @@ Two levels as in SketchParse (Sarvadevabhatla et al. 2017): a router chooses the
 decoders have skip connections from every stage (U-Net, Ronneberger et al. 2015), so that thin limbs survive. The names of
 the modules are the names of the tensors in the weight file; src/segmentation reads them.
 """
+import os
+import sys
+
 import torch
 import torch.nn.functional as F
 from torch import nn
 
-LABELS = ["background", "head", "body", "limb", "tail", "wing"]
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from labels import NAMES as LABELS  # noqa: E402
+
 EXPERTS = ["ground", "winged"]
 POSES = ["E", "NE", "N", "NW", "W", "SW", "S", "SE"]
 INPUT = 256

@@ -115,7 +115,7 @@ def compose(shards, rng, longer=LONGER, clean=False):
     if clean:
         return page.astype(np.float32) / 255, masks
     page = stray_marks(page, cv2.dilate(taken, np.ones((9, 9), np.uint8)) == 0, rng)
-    return dataset.look(page, rng), masks
+    return dataset.as_photographed(page, rng), masks
 
 
 class HeldOut:

@@ -90,7 +90,7 @@ def skinned(model, values):
 
 
 def poses(model):
-    """The rest pose and every key of every clip: what view_of looks at."""
+    """The rest pose and every key of every clip: what view_of covers."""
     yield {}
     for clip in model.json["animations"]:
         channels = [((c["target"]["node"], c["target"]["path"]), model.array(clip["samplers"][c["sampler"]]["output"]))
@@ -148,7 +148,7 @@ def blender_command():
             f"{HERE}/blender.py", "--"]
 
 
-def shoot(command, arguments, out):
+def render_with(command, arguments, out):
     run = subprocess.run([*command, *map(str, arguments), out], capture_output=True, text=True)
     if run.returncode != 0 or not os.path.exists(out):
         sys.exit(f"compare: {command[0]} failed\n{run.stdout[-2000:]}{run.stderr[-2000:]}")
@@ -180,7 +180,7 @@ def main():
         for name, command in (("three.js", three_command()), ("Blender", blender_command())):
             if not command:
                 continue
-            theirs = shoot(command, arguments, f"{work}/picture.png")
+            theirs = render_with(command, arguments, f"{work}/picture.png")
             print("{:<10}{:>14.3f}{:>16.3f}".format(name, *differences(ours, theirs)))
             pictures.append(on_white(theirs))
     cv2.imwrite(args.out, np.concatenate(pictures, 1).round().astype(np.uint8))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Looks at a page of `pantin explain` in headless Chromium, from the file system, without a network: nothing is asked for, nothing fails, every
+// Checks a page of `pantin explain` in headless Chromium, from the file system, without a network: nothing is asked for, nothing fails, every
 // chapter's picture can be seen, sliders, clicks and keys do what the chapters say; in light and dark, on a desk and on a phone, with
 // and without scripts. Prints a line a check; exit code 1 when one fails.
 // usage: node check_page.mjs INDEX.html [FOLDER_FOR_SCREENSHOTS]. Needs playwright-core beside it and Debian's chromium.
@@ -202,11 +202,11 @@ async function check_weights(page, id) {
 async function check_viewer(page, id) {
     await go_to(page, id);
     const root = page.locator('#' + id), canvas = root.locator('canvas');
-    const look = async () => (await canvas.screenshot()).toString('base64');
+    const screenshot = async () => (await canvas.screenshot()).toString('base64');
     const moves = async () => {
-        const first = await look();
+        const first = await screenshot();
         await page.waitForTimeout(400);
-        return first !== await look();
+        return first !== await screenshot();
     };
     await root.locator('.turn').setChecked(false);
     check(`${id}: the character is there`, await is_painted(page, canvas));
@@ -214,19 +214,19 @@ async function check_viewer(page, id) {
     await root.locator('button.play').click();
     await page.waitForTimeout(300);
     check(`${id}: pause stops it`, !await moves());
-    const still = await look();
+    const still = await screenshot();
     await root.locator('.bones').check();
     await page.waitForTimeout(300);
-    const with_bones = await look();
+    const with_bones = await screenshot();
     check(`${id}: bones are drawn`, with_bones !== still);
     await root.locator('.mesh').check();
     await page.waitForTimeout(300);
-    check(`${id}: the mesh is drawn`, await look() !== with_bones);
+    check(`${id}: the mesh is drawn`, await screenshot() !== with_bones);
     await canvas.focus();
-    const flat = await look();
+    const flat = await screenshot();
     await page.keyboard.press('ArrowRight');
     await page.waitForTimeout(300);
-    check(`${id}: arrow keys turn it`, await look() !== flat);
+    check(`${id}: arrow keys turn it`, await screenshot() !== flat);
     await root.locator('button.play').click();
     await root.locator('.speed').evaluate(s => {
         s.value = 0;

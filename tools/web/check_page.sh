@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Explains three pages and looks at the results in headless Chromium (check_page.mjs). Usage: tools/web/check_page.sh PANTIN FOLDER
+# Explains three pages and checks the results in headless Chromium (check_page.mjs). Usage: tools/web/check_page.sh PANTIN FOLDER
 # Needs node, npm and chromium; playwright-core is installed once, into node_modules.
 set -eu
 pantin=${1:?usage: check_page.sh PANTIN FOLDER} folder=${2:?usage: check_page.sh PANTIN FOLDER}

@@ -118,7 +118,7 @@ widgets.thinning = async (chapter, data) => {
         return {x: i % data.width, y: Math.floor(i / data.width)};
     };
     stage.querySelector("figcaption").textContent = "Black: still there. Orange: goes next. Grey: gone. The blue frame is the pixel that is judged, with its neighbours.";
-    choice.value = data.ridges.last > 0 ? "ridges" : "silhouette"; // fences that are thin already lose nothing
+    choice.value = data.ridges.last > 0 ? "ridges" : "silhouette"; // edges that are thin already lose nothing
     await load(choice.value);
     chosen = first_black();
     if (chosen.x < 0) chosen = null;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The threshold prunes the fences while it is moved.
+// The threshold prunes the edges while it is moved.
 widgets.voronoi = (chapter, data) => {
     const controls = show_controls(chapter), slider = controls.querySelector("input"), output = controls.querySelector("output");
     const group = chapter.querySelector("svg .edges"), paths = [...group.children];
@@ -19,7 +19,7 @@ widgets.voronoi = (chapter, data) => {
         pruned.setAttribute("d", dropped.join(""));
         paths.forEach((path, k) => path.setAttribute("d", texts[k].join("")));
         const used = Math.abs(slider.value - data.threshold) < 0.06 ? " (used in this run)" : "";
-        output.textContent = `${(+slider.value).toFixed(1)} pixels: ${kept} of ${count} fences stay${used}`;
+        output.textContent = `${(+slider.value).toFixed(1)} pixels: ${kept} of ${count} edges stay${used}`;
     };
     slider.addEventListener("input", draw);
     draw();
