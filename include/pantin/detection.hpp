@@ -44,7 +44,7 @@ struct DetectionOptions {
     double head_gap = 0.1;          // and this gap; all other closed shapes stay apart
     double open_gap = 0.15;         // an open line and anything of like size
     double stacked_gap = 0.2;       // the same, one above the other
-    double room_gain = 0.2;         // side by side only if this share of what they enclose needs both
+    double enclosed_gain = 0.2;     // side by side only if this share of what they enclose needs both
     double min_share = 0.15;        // groups smaller than this share of the largest are dropped
     int min_side = 16;              // page pixels; smaller characters are dropped
 

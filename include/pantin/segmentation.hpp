@@ -63,17 +63,17 @@ struct SegmentationOptions {
     // data: the darkest value of the 3×3 neighbourhood at the network's resolution.
     bool grey_erosion = false;
     // Probabilities are means over several looks at the drawing: with its mirror image, and tilted by so many
-    // degrees to either side (0: not). A look counts exp(sharpness · mean probability of the parts that it
-    // sees). `thesis`: one look.
+    // degrees to either side (0: not). A look counts exp(inverse_temperature · mean probability of the parts
+    // that it sees). `thesis`: one look.
     bool mirror = true;
-    double tilt = 20, sharpness = 30;
+    double tilt = 20, inverse_temperature = 30;
     // When the first look, at the drawing as it is, is this sure (as `Segmentation::sureness`) it is the only
     // one.
-    double sure_enough = 0.96;
+    double sufficient_confidence = 0.96;
     // A drawing of which even the surest look is less sure, and whose strokes are longer than its outline by
     // this factor, is a scribble and no character. (An outline with gaps makes the network unsure, too.)
-    // `thesis`: least_sureness 0.
-    double least_sureness = 0.895, scribble_ratio = 1.2;
+    // `thesis`: least_confidence 0.
+    double least_confidence = 0.895, scribble_ratio = 1.2;
     SilhouetteOptions silhouette;
 };
 

@@ -211,7 +211,7 @@ private:
         Group both{a.pieces, united(a.box, b.box)};
         both.pieces.insert(both.pieces.end(), b.pieces.begin(), b.pieces.end());
         const double together = rooms_of(both);
-        return together - a.rooms - b.rooms > options_.room_gain * together;
+        return together - a.rooms - b.rooms > options_.enclosed_gain * together;
     }
 
     double rooms_of(const Group& group) const {

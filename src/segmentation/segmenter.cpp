@@ -51,9 +51,9 @@ Segmentation Segmenter::segment(const RgbImage& drawing, const Mask& mask,
 
     // 1. The network sees how dark the ink is, in its own square.
     const Grid<float> ink = ink_darkness(drawing);
-    const segmentation::NetworkResult seen =
-        segmentation::look(net, segmentation::to_input(ink, net.input, options.grey_erosion),
-                           {options.mirror, options.tilt, options.sharpness, options.sure_enough}, runtime);
+    const segmentation::NetworkResult seen = segmentation::look(
+        net, segmentation::to_input(ink, net.input, options.grey_erosion),
+        {options.mirror, options.tilt, options.inverse_temperature, options.sufficient_confidence}, runtime);
 
     Segmentation result;
     result.sureness = seen.sureness;
