@@ -24,6 +24,10 @@
 #include <utility>
 #include <vector>
 
+namespace pantin {
+class ThreadPool; // core/thread_pool.hpp
+}
+
 namespace pantin::network {
 
 // --- tensors ---------------------------------------------------------------------------------------------
@@ -135,9 +139,9 @@ public:
     float* scratch(std::size_t count) const;
 
 private:
-    struct Pool;
     Simd simd_;
-    std::unique_ptr<Pool> pool_;
+    std::unique_ptr<ThreadPool> pool_;
+    mutable std::vector<float> scratch_;
 };
 
 // --- weight files ----------------------------------------------------------------------------------------

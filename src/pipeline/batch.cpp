@@ -15,7 +15,7 @@
 #include "core/file.hpp"
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
-#include "pantin/network.hpp"
+#include "core/thread_pool.hpp"
 
 namespace pantin {
 
@@ -199,8 +199,7 @@ private:
 void run_in_order(int threads, const std::function<BatchTask()>& next,
                   const std::function<bool(const BatchResult&)>& write) {
     Conveyor conveyor(threads, next, write);
-    const network::Runtime runtime(threads);
-    runtime.parallel_for(threads, [&](int) { conveyor.work(); });
+    parallel_for(threads, threads, [&](int) { conveyor.work(); });
 }
 
 } // namespace pantin

@@ -6,9 +6,9 @@
 #include <cstdio>
 
 #include "core/file.hpp"
+#include "core/thread_pool.hpp"
 #include "pantin/export.hpp"
 #include "pantin/image.hpp"
-#include "pantin/network.hpp"
 
 namespace pantin {
 
@@ -56,8 +56,7 @@ Film shoot(const Rig& rig, const BoneAnimation& animation, const RgbaImage& text
            const Settings& settings) {
     Film film = blank_film(animation.duration, settings.render.fps);
     const FrameRenderer renderer(rig, texture, view, settings.render.picture);
-    const network::Runtime runtime(settings.threads);
-    runtime.parallel_for(static_cast<int>(film.frames.size()), [&](int frame) {
+    parallel_for(settings.threads, static_cast<int>(film.frames.size()), [&](int frame) {
         const auto i = static_cast<std::size_t>(frame);
         const double time =
             animation.duration * static_cast<double>(i) / static_cast<double>(film.frames.size());

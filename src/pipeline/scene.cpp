@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/thread_pool.hpp"
 #include "pantin/image.hpp"
-#include "pantin/network.hpp"
 #include "pipeline/clips.hpp"
 #include "pipeline/film.hpp"
 #include "pipeline/given.hpp"
@@ -149,8 +149,7 @@ void run_scene(const std::filesystem::path& image, const std::filesystem::path& 
     const RgbaImage paper = empty_paper(drawn, actors, page);
     std::vector<Place> places;
     for (const Actor& actor : actors) places.push_back(place_of(actor, scale, settings.render.picture));
-    const network::Runtime runtime(settings.threads);
-    runtime.parallel_for(static_cast<int>(film.frames.size()), [&](int frame) {
+    parallel_for(settings.threads, static_cast<int>(film.frames.size()), [&](int frame) {
         const auto i = static_cast<std::size_t>(frame);
         const double share = static_cast<double>(i) / static_cast<double>(film.frames.size());
         RgbaImage picture = paper;

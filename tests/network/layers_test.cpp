@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
-#include <atomic>
 #include <cmath>
-#include <stdexcept>
 
 #include "network/reference.hpp"
 #include "pantin/error.hpp"
@@ -89,26 +87,6 @@ TEST_CASE("Joining and adding keep every plane in its place") {
     relu(positive);
     CHECK(sum == positive);
     CHECK(*std::min_element(sum.begin(), sum.end()) >= 0);
-}
-
-TEST_CASE("A parallel loop visits every index once and rethrows a task's exception") {
-    for (const int threads : {1, 2, 5}) {
-        const Runtime runtime(threads);
-        CHECK(runtime.threads() == threads);
-        for (int round = 0; round < 50; ++round) {
-            std::vector<std::atomic<int>> visits(37);
-            runtime.parallel_for(37, [&](int i) { ++visits[i]; });
-            for (const auto& count : visits) CHECK(count == 1);
-        }
-        CHECK_THROWS_AS(runtime.parallel_for(10,
-                                             [](int i) {
-                                                 if (i == 3) throw std::runtime_error("three");
-                                             }),
-                        std::runtime_error);
-        std::atomic<int> after{0};
-        runtime.parallel_for(5, [&](int) { ++after; });
-        CHECK(after == 5);
-    }
 }
 
 } // namespace pantin::network
