@@ -38,7 +38,7 @@ struct DetectionOptions {
     double closed_share = 0.03; // what encloses this share of its squared diagonal could stand alone
     double deepest_pen = 0.02;  // ink deeper than this share of its diagonal is colour, not a stroke
     double contact_share =
-        0.05;               // an open line has this share of the border of a room that it helps to enclose
+        0.05;               // an open line has this share of the border of a region that it helps to enclose
     double head_size = 0.5; // a closed shape beside another is its head up to this share of it,
     double stacked_head_size = 0.7; // or this one when one is above the other,
     double head_gap = 0.1;          // and this gap; all other closed shapes stay apart

@@ -7,7 +7,8 @@
 //     acc = bias;  for (input channel) for (kernel row) for (kernel column)  acc = fma(weight, input, acc)
 // A tap outside the image contributes fma(weight, 0, acc). Vector code and threads work on several elements
 // at once and never split a chain, so every SIMD variant returns the same bits. Weights are finite (checked
-// on load). `network/reference.hpp` holds the plain loops that define each layer; the tests compare the two.
+// on load). `network/naive_layers.hpp` holds the plain loops that define each layer; the tests compare the
+// two.
 //
 // Errors: a wrong shape is Error(weights) with one line that names it, because shapes come from weight files.
 #pragma once

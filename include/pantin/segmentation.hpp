@@ -80,8 +80,9 @@ struct SegmentationOptions {
 struct Segmentation {
     std::string expert; // the expert that the router chose
     double stroke_ratio =
-        0;               // length of the strokes over that of the silhouette's border: 1 for a plain outline
-    double sureness = 0; // mean probability of the most probable part, over the foreground of the surest look
+        0; // length of the strokes over that of the silhouette's border: 1 for a plain outline
+    double confidence =
+        0; // mean probability of the most probable part, over the foreground of the surest look
     std::vector<std::pair<std::string, double>>
         router;                             // expert → probability, in the order of the weight file
     std::array<double, 8> pose{};           // probability per pose_names

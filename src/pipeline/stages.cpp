@@ -25,7 +25,7 @@ void run_segment(Character& character, Workshop& workshop) {
     character.labels = result.labels;
     // The files are there: whoever knows better corrects labels.png and goes on with the next step.
     const bool scribble =
-        result.sureness < options.least_confidence && result.stroke_ratio > options.scribble_ratio;
+        result.confidence < options.least_confidence && result.stroke_ratio > options.scribble_ratio;
     if (workshop.keeps) character.segmentation = std::move(result);
     if (scribble)
         throw CharacterRejected(

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "network/reference.hpp"
+#include "network/naive_layers.hpp"
 #include "pantin/error.hpp"
 #include "support/tensors.hpp"
 
@@ -32,7 +32,7 @@ TEST_CASE("Bilinear resizing equals its definition bit for bit") {
         const Tensor image = random_tensor(random, 1, 2, from_height, from_width);
         const int height = random.integer(1, 30), width = random.integer(1, 30);
         INFO(image.height() << "×" << image.width() << " to " << height << "×" << width);
-        const Tensor expected = reference::resize_bilinear(image, height, width);
+        const Tensor expected = naive::resize_bilinear(image, height, width);
         CHECK(resize_bilinear(image, height, width, Runtime(1)) == expected);
         CHECK(resize_bilinear(image, height, width, Runtime(3)) == expected);
     }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "network/reference.hpp"
+#include "network/naive_layers.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace pantin::network::reference {
+namespace pantin::network::naive {
 namespace {
 
 float pixel_or_zero(const Tensor& image, int n, int c, int y, int x) {
@@ -110,4 +110,4 @@ Tensor resize_bilinear(const Tensor& input, int height, int width) {
     return result;
 }
 
-} // namespace pantin::network::reference
+} // namespace pantin::network::naive
