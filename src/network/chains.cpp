@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The chains of a convolution: a plan of taps for each output row, a tile of accumulators at a time, on all
+// threads (chains.hpp). Ours; what is computed is PyTorch's Conv2d.
 #include "network/chains.hpp"
 
 #include <algorithm>

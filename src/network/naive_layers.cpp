@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Each layer by its definition in PyTorch's documentation, one loop an index: the oracle of the tests.
 #include "network/naive_layers.hpp"
 
 #include <algorithm>

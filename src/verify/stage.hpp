@@ -12,12 +12,12 @@
 namespace pantin {
 
 // The drawings, columns of the table. What the network costs is most of the time, so the features are shared
-// out: one drawing is looked at from several sides, two are found by the network and one by the contour-based
+// out: one drawing is seen in several views, two are found by the network and one by the contour-based
 // detector, one becomes a solid.
 struct VerifiedDrawing {
     std::string name;
     Detector detector = Detector::mask_rcnn;
-    bool several_looks = false;
+    bool several_views = false;
     bool solid = false;
 };
 const std::vector<VerifiedDrawing>& verified_drawings();
@@ -25,7 +25,7 @@ const std::vector<VerifiedDrawing>& verified_drawings();
 // What a stage works with.
 struct StageContext {
     const VerifiedDrawing& drawing;
-    const Options& options; // with the drawing's detector and looks
+    const Options& options; // with the drawing's detector and views
     int threads;
     Networks& networks;
     const std::vector<ReferenceSkeleton>& references;

@@ -15,7 +15,7 @@ namespace {
 
 Options options_for(const VerifiedDrawing& drawing, Options options) {
     options.detection.detector = drawing.detector;
-    if (drawing.several_looks) {
+    if (drawing.several_views) {
         options.segmentation.sufficient_confidence = 1;
     } else {
         options.segmentation.mirror = false;

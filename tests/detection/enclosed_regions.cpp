@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Open outlines, their enclosed regions and silhouettes.
 #include "detection/enclosed_regions.hpp"
 
 #include <catch2/catch.hpp>

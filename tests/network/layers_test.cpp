@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The layers without weights against their definitions.
 #include <catch2/catch.hpp>
 
 #include <cmath>

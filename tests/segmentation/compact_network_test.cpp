@@ -40,7 +40,6 @@ Tensor tensor_of(const WeightFile& file, const std::string& name) {
     return tensor;
 }
 
-// Largest difference, relative to the larger of the value and one hundredth.
 Bytes with_header_text(const std::string& from, const std::string& to) {
     return with_text(weights(), from, to);
 }

@@ -66,7 +66,7 @@ Tensor PipelineNetwork::parts_of(const Tensor& scores, int expert, const Runtime
     for (int c = 0; c < probabilities.channels(); ++c) {
         const float* from = probabilities.plane(0, c);
         float* to = parts.plane(0, label[static_cast<std::size_t>(c)]);
-        for (std::size_t i = 0; i < parts.plane_size(); ++i) to[i] += from[i];
+        for (std::size_t i = 0; i < parts.plane_size(); ++i) to[i] = std::min(1.0f, to[i] + from[i]);
     }
     return parts;
 }
