@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The chains of a convolution: a plan of taps for each output row, a tile of accumulators at a time, on all
-// threads (chains.hpp). Ours; what is computed is PyTorch's Conv2d.
+// Packed filters over one image: the padded image as phase planes, then groups of output vectors through the
+// kernel on all threads (chains.hpp says how). Ours.
 #include "network/chains.hpp"
 
 #include <algorithm>

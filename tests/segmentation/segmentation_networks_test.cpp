@@ -108,6 +108,17 @@ TEST_CASE("SketchParse in the pipeline: black on white, its scores as probabilit
     CHECK(routed.expert == most_probable(routed.router));
 }
 
+TEST_CASE("SketchParse without a router takes the expert that the metadata names") {
+    const Bytes without = with_header(sketch_parse_weights(), "\"router.weight\"", "\"router.width\"");
+    const auto net = loaded(with_header(without, "\"input\"", "\"expert\":\"air\",\"input\""));
+    const Tensor ink = random_ink(net->input);
+    const NetworkResult result = net->forward(ink, Runtime());
+    CHECK(result.expert == 1);
+    CHECK(result.router(0, 0, 0, 0) == 0);
+    CHECK(result.router(0, 1, 0, 0) == 1);
+    CHECK(network::same_bits(result.parts, loaded(sketch_parse_weights())->forward(ink, Runtime(), 1).parts));
+}
+
 TEST_CASE("Channels of one label add up") {
     const Tensor ink = random_ink(97);
     const NetworkResult apart = loaded(sketch_parse_weights())->forward(ink, Runtime(), 1);
@@ -155,7 +166,9 @@ TEST_CASE("SketchParse whose metadata does not fit is refused with the fact") {
           "w: metadata 'poses' needs all eight directions");
     CHECK(failure("\"input\":\"97\"", "\"poses\":\"N,N\"") == "w: metadata 'poses' has 'N' twice");
     CHECK(failure("\"router.weight\"", "\"router.width\"") ==
-          "w: tensor 'router.weight' is missing, so nothing chooses between the experts");
+          "w: neither tensor 'router.weight' nor metadata 'expert' chooses between the experts");
+    CHECK(failure("\"input\":\"97\"", "\"expert\":\"sea\"") ==
+          "w: metadata 'expert' has the unknown name 'sea'");
     // Without `input` it is the authors' 321, which this small pose head does not fit.
     const auto large = loaded(with_header(sketch_parse_weights(), "\"input\":\"97\",", ""));
     CHECK(large->input == 321);

@@ -26,6 +26,7 @@ public:
     Network network;
     std::vector<std::vector<int>> labels; // of each expert's channels
     std::vector<int> poses;               // place in pose_names of each value of the pose heads
+    int only_expert = 0;                  // the one that is always taken, without a router
 
     std::unique_ptr<segmentation::EncodedInput> encode(const Tensor& ink,
                                                        const Runtime& runtime) const override;
@@ -38,7 +39,12 @@ struct Encoded : segmentation::EncodedInput {
     Shared shared;
 
     Encoded(const PipelineNetwork& network, Shared seen) : owner(network), shared(std::move(seen)) {
-        router = owner.network.router ? shared.router : Tensor(1, 1, 1, 1, 1.0f);
+        if (owner.network.router) {
+            router = shared.router;
+            return;
+        }
+        router = Tensor(1, static_cast<int>(owner.expert_names.size()), 1, 1);
+        router.begin()[owner.only_expert] = 1;
     }
     segmentation::Answer decode(int expert, const Runtime& runtime) const override {
         const Result result = owner.network.decode(shared, expert, runtime);
@@ -123,10 +129,8 @@ std::vector<int> read_poses(const WeightFile& file) {
     return poses;
 }
 
-void check_heads(const WeightFile& file, const Network& network) {
+void check_pose_heads(const WeightFile& file, const Network& network) {
     const network::LayerReader reader{file};
-    if (!network.router && network.scales[0].experts.size() > 1)
-        file.fail("tensor 'router.weight' is missing, so nothing chooses between the experts");
     for (std::size_t e = 0; e < network.pose.size(); ++e) {
         const std::string name = "pose_r" + std::to_string(e) + ".PoseC2.0.weight";
         if (reader.extent(name, 2, 0) != static_cast<int>(pose_names.size()))
@@ -139,11 +143,15 @@ void check_heads(const WeightFile& file, const Network& network) {
 std::unique_ptr<segmentation::SegmentationNetwork> load_segmentation_network(const WeightFile& file) {
     auto loaded = std::make_unique<PipelineNetwork>();
     loaded->network = load_network(file);
-    check_heads(file, loaded->network);
+    check_pose_heads(file, loaded->network);
     const std::vector<Expert>& experts = loaded->network.scales[0].experts;
     loaded->expert_names = network::split(file.metadata("experts"), ',');
     if (loaded->expert_names.size() != experts.size())
         file.fail("metadata 'experts' needs " + std::to_string(experts.size()) + " names");
+    if (file.has_metadata("expert"))
+        loaded->only_expert = place_of(file, "expert", file.metadata("expert"), loaded->expert_names);
+    else if (!loaded->network.router && experts.size() > 1)
+        file.fail("neither tensor 'router.weight' nor metadata 'expert' chooses between the experts");
     loaded->labels = read_labels(file, experts);
     loaded->poses = read_poses(file);
     loaded->input = authors_input;

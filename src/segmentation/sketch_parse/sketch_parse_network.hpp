@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // SketchParse as a segmentation network of the pipeline. Metadata of the weight file (docs/formats.md):
 // `experts`, their names; `parts`, the label of each channel, experts separated by semicolons; `input`, the
-// side of the square (321); `poses`, the direction of each value of the pose head (the authors' order).
+// side of the square (321); `poses`, the direction of each value of the pose head (the authors' order);
+// `expert`, the one that is always taken, for weights without a router.
 #pragma once
 
 #include <memory>
