@@ -322,7 +322,7 @@ void add_nearest(Tensor& x, const Tensor& y);
 // To height × width pixels, without antialiasing. Error(weights) when one of the sizes is 0. interpolate,
 // mode "bilinear", align_corners = false.
 Tensor resize_bilinear(const Tensor& input, int height, int width, const Runtime& runtime);
-// The same with align_corners = true: the corner pixels' centres stay where they are.
+// The same shapes and errors; align_corners = true: the corner pixels' centres stay where they are.
 Tensor resize_corners(const Tensor& input, int height, int width);
 // 1 / (1 + exp(−x)) of each element in double by math::exp, rounded once. No errors. Thesis Eq. 3.3; Sigmoid.
 Tensor sigmoid(const Tensor& logits);
