@@ -128,7 +128,11 @@ def make_sketch_parse(tiny, generator):
             value.mul_(0.3)
         if "conv1.weight" in name and value.shape[1] == 3:
             value.mul_(0.02)                                     # the input's range is 255, not 1
-    return model, {"model": "pantin.sketch_parse", "version": "1"}
+    facts = {"model": "pantin.sketch_parse", "version": "1"}
+    if tiny:
+        facts |= {"input": "97", "experts": "land,air",
+                  "parts": "background,head,body,limb,tail,wing;background,body,head,limb,wing"}
+    return model, facts
 
 
 def tensors_of(model):

@@ -38,20 +38,20 @@ struct DetectionOptions {
     double closed_share = 0.03; // what encloses this share of its squared diagonal could stand alone
     double deepest_pen = 0.02;  // ink deeper than this share of its diagonal is colour, not a stroke
     double contact_share =
-        0.05;               // an open line has this share of the border of a room that it helps to enclose
+        0.05;               // an open line has this share of the border of a region that it helps to enclose
     double head_size = 0.5; // a closed shape beside another is its head up to this share of it,
     double stacked_head_size = 0.7; // or this one when one is above the other,
     double head_gap = 0.1;          // and this gap; all other closed shapes stay apart
     double open_gap = 0.15;         // an open line and anything of like size
     double stacked_gap = 0.2;       // the same, one above the other
-    double room_gain = 0.2;         // side by side only if this share of what they enclose needs both
+    double enclosed_gain = 0.2;     // side by side only if this share of what they enclose needs both
     double min_share = 0.15;        // groups smaller than this share of the largest are dropped
     int min_side = 16;              // page pixels; smaller characters are dropped
 
     // Grouping by Mask R-CNN (src/detection/network_grouping.hpp).
     double network_score = 0.5; // least score of a detection
-    // A detection with so much of its mask inside the mask of a larger one that is as sure is a part of that
-    // character.
+    // A detection with so much of its mask inside the mask of a larger one whose score is no lower is a part
+    // of that character.
     double contained_share = 0.6;
     double shared_claim = 0.2; // a piece of ink of which others claim this share is divided
     double unclaimed_reach =
@@ -59,24 +59,31 @@ struct DetectionOptions {
     int threads = 1; // of the network; results do not depend on it
 };
 
-// Mask R-CNN (He et al. 2017; thesis 4.2, ch. 5) on the page's ink darkness.
+// The network that finds characters on a page: Mask R-CNN (He et al. 2017; thesis 4.2, ch. 5), the compact
+// one or any other size. The weight file's metadata chooses (docs/formats.md).
 class CharacterFinder {
 public:
-    // Reads the weights (safetensors). Throws Error(weights) naming `source`.
+    // weights: the bytes of a safetensors file, which are not needed afterwards; source: its name in
+    // messages. Error(weights) when the file is damaged, incomplete or for a network that is not known. Own
+    // format on top of safetensors.
     CharacterFinder(std::span<const unsigned char> weights, const std::string& source);
     ~CharacterFinder();
     CharacterFinder(CharacterFinder&&) noexcept;
 
     struct Found {
-        double score = 0;
+        double score = 0;                                // [0, 1]
         double left = 0, top = 0, right = 0, bottom = 0; // page pixels
         Grid<float> mask;                                // probabilities inside the box, 28×28
-        double probability(double x, double y) const; // of the mask at a place of the page; 0 outside the box
+        // Of the mask at a place in page pixels, in [0, 1], bilinear; 0 outside the box. No errors. He et al.
+        // 2017, 3.1, where the mask is resized to its box.
+        double probability(double x, double y) const;
     };
-    // By descending score.
+    // page: at any size, dark on light. By descending score. Error(weights) when the layers do not fit
+    // together. The bits do not depend on `threads`. Thesis 4.2.
     std::vector<Found> find(const RgbImage& page, int threads = 1) const;
-    // Number of the found character that claims each pixel most, by mask times score where the mask is at
-    // least one half; 0: none. The page is width × height pixels, seen at `factor` pixels per grid cell.
+    // Number (1, 2, …) of the found character that claims each grid cell most, by mask times score where the
+    // mask is at least one half; 0: none. width × height cells of `factor` page pixels a side. No errors.
+    // Own.
     static Grid<int> claims(const std::vector<Found>& found, int width, int height, int factor);
 
 private:
@@ -99,12 +106,15 @@ struct Detection {
     std::vector<DetectedCharacter> characters; // left to right, then top to bottom, by box centre
 };
 
-// With a finder its network groups the ink (when it finds anything), without one the contour-based detector
-// (Suzuki & Abe 1985 on the closed ink) does. Throws Error(no_character) when the page holds none.
+// page: at any size, dark on light or, over 80 % of it dark, light on dark. With a finder its network groups
+// the ink (when it finds anything), without one the contour-based detector does. Boxes in page pixels, masks
+// at working size. Error(no_character) when the page holds none. Thesis 4.2, Fig. 4.3; contours: Suzuki & Abe
+// 1985.
 Detection detect(const RgbImage& page, const DetectionOptions& options = {},
                  const CharacterFinder* finder = nullptr);
 
-// The character whose silhouette on the page is known (of the page's size, not empty); its score is 1.
+// The character whose silhouette on the page is known: of the page's size, not 0 inside; its score is 1.
+// Error(internal) when the silhouette is empty. Own.
 DetectedCharacter character_of(const RgbImage& page, const Mask& silhouette,
                                const DetectionOptions& options = {});
 

@@ -7,9 +7,12 @@
 //     acc = bias;  for (input channel) for (kernel row) for (kernel column)  acc = fma(weight, input, acc)
 // A tap outside the image contributes fma(weight, 0, acc). Vector code and threads work on several elements
 // at once and never split a chain, so every SIMD variant returns the same bits. Weights are finite (checked
-// on load). `network/reference.hpp` holds the plain loops that define each layer; the tests compare the two.
+// on load). `network/naive_layers.hpp` holds the plain loops that define each layer; the tests compare the
+// two.
 //
-// Errors: a wrong shape is Error(weights) with one line that names it, because shapes come from weight files.
+// Shapes are [batch][channels][height][width]; a layer's result has the input's batch. Errors: a wrong shape
+// is Error(weights) with one line that names it, because shapes come from weight files. The layers compute
+// what PyTorch's of the name in their comment do; thesis 3.1 introduces them.
 #pragma once
 
 #include <algorithm>
@@ -24,6 +27,10 @@
 #include <utility>
 #include <vector>
 
+namespace pantin {
+class ThreadPool; // core/thread_pool.hpp
+}
+
 namespace pantin::network {
 
 // --- tensors ---------------------------------------------------------------------------------------------
@@ -33,8 +40,9 @@ namespace pantin::network {
 // floats behind its end, so that the last vector may be read whole.
 class Buffer {
 public:
-    Buffer() = default;
-    explicit Buffer(std::size_t size); // content undefined
+    Buffer() = default; // empty
+    // size: floats of undefined content. std::bad_alloc. Own.
+    explicit Buffer(std::size_t size);
     Buffer(const Buffer& other);
     Buffer(Buffer&& other) noexcept
         : block_(std::exchange(other.block_, {})), size_(std::exchange(other.size_, 0)) {}
@@ -45,6 +53,7 @@ public:
     }
     ~Buffer();
 
+    // size() floats. No errors. Own.
     float* begin() { return block_.data; }
     float* end() { return block_.data + size_; }
     const float* begin() const { return block_.data; }
@@ -67,19 +76,24 @@ private:
 // fp32, row-major [batch][channel][row][column], as PyTorch's contiguous NCHW.
 class Tensor {
 public:
-    Tensor() = default;
+    Tensor() = default; // of no element
+    // Filled with `value`. Extents ≥ 0. std::bad_alloc. PyTorch's full.
     Tensor(int batch, int channels, int height, int width, float value = 0);
-    // For layers that write every element.
+    // The same with undefined content, for layers that write every element. std::bad_alloc. PyTorch's empty.
     static Tensor uninitialised(int batch, int channels, int height, int width);
 
+    // Extents, and the number of elements of a channel and of all. No errors. Own.
     int batch() const { return batch_; }
     int channels() const { return channels_; }
     int height() const { return height_; }
     int width() const { return width_; }
     std::size_t plane_size() const { return static_cast<std::size_t>(height_) * width_; }
     std::size_t size() const { return data_.size(); }
+    // Whether all four extents are equal. No errors. Own.
     bool same_shape(const Tensor& other) const;
 
+    // A channel of a batch entry, height·width floats by rows; its element at row y, column x; all elements
+    // in memory order. Indices are not checked. Own.
     float* plane(int n, int c) {
         return data_.begin() + (static_cast<std::size_t>(n) * channels_ + c) * plane_size();
     }
@@ -110,34 +124,39 @@ private:
 enum class Simd { baseline, avx2, avx512, neon };
 inline constexpr Simd all_simd[] = {Simd::baseline, Simd::avx2, Simd::avx512, Simd::neon};
 
+// Its name as PANTIN_SIMD takes it. No errors. Own.
 std::string_view name_of(Simd simd);
-// Compiled in, and this processor can run it.
+// Compiled in, and this processor can run it. No errors. Own.
 bool simd_supported(Simd simd);
-// The fastest supported one. The environment variable PANTIN_SIMD (baseline, avx2, avx512, neon) forces
+// The fastest supported one. Own. The environment variable PANTIN_SIMD (baseline, avx2, avx512, neon) forces
 // another; an unknown or unsupported value is Error(usage).
 Simd best_simd();
 
 // Threads and instruction set of a forward pass. Results depend on neither.
 class Runtime {
 public:
+    // threads: 1 and less is the caller alone. Error(usage) when this processor has no such instructions.
+    // Own.
     explicit Runtime(int threads = 1, Simd simd = best_simd());
     ~Runtime();
     Runtime(const Runtime&) = delete;
     Runtime& operator=(const Runtime&) = delete;
 
+    // What it was made with; at least one thread. No errors. Own.
     int threads() const;
     Simd simd() const { return simd_; }
     // Calls task(0) … task(count − 1), each once, in any order, on all threads; returns when all are done.
-    // The first exception of a task is rethrown. One loop at a time.
+    // The first exception of a task is rethrown. One loop at a time. Own.
     void parallel_for(int count, const std::function<void(int)>& task) const;
 
     // At least `count` floats of undefined content, valid until the next call: the layers' working memory.
+    // std::bad_alloc. Own.
     float* scratch(std::size_t count) const;
 
 private:
-    struct Pool;
     Simd simd_;
-    std::unique_ptr<Pool> pool_;
+    std::unique_ptr<ThreadPool> pool_;
+    mutable std::vector<float> scratch_;
 };
 
 // --- weight files ----------------------------------------------------------------------------------------
@@ -147,19 +166,24 @@ private:
 // F16 tensors can be read; tensors of other types are allowed in the file. The bytes must outlive the object.
 class WeightFile {
 public:
+    // bytes: the whole file; source: its name in messages. Error(weights) when it is malformed. safetensors.
     WeightFile(std::span<const unsigned char> bytes, std::string source);
 
+    // The name in messages. No errors. Own.
     const std::string& source() const { return source_; }
+    // Whether there is such a tensor; all their names in alphabetical order. No errors. safetensors.
     bool contains(const std::string& name) const { return entries_.count(name) != 0; }
-    std::vector<std::string> names() const; // in alphabetical order
+    std::vector<std::string> names() const;
+    // Extents of a tensor, outermost first. Error(weights) when it is missing. safetensors.
     std::vector<std::int64_t> shape(const std::string& name) const;
+    // Whether `__metadata__` has the key. No errors. safetensors.
     bool has_metadata(const std::string& key) const { return metadata_.count(key) != 0; }
-    // Value of `__metadata__`; Error(weights) when missing.
+    // Value of `__metadata__`. Error(weights) when it is missing. safetensors.
     const std::string& metadata(const std::string& key) const;
-    // The tensor as floats. Error(weights) when missing, of another shape or type, or with a value that is
-    // not finite.
+    // The tensor as floats, row-major. Error(weights) when it is missing, of another shape or type, or has a
+    // value that is not finite. safetensors.
     std::vector<float> read(const std::string& name, const std::vector<std::int64_t>& expected_shape) const;
-    // The message of every Error(weights) about this file starts with its source.
+    // Throws Error(weights): the source and the fact, as every message about this file. Own.
     [[noreturn]] void fail(const std::string& fact) const;
 
 private:
@@ -177,7 +201,7 @@ private:
     std::map<std::string, Entry> entries_;
 };
 
-// IEEE 754 binary16 to binary32, exact.
+// Bits of an IEEE 754 binary16 to binary32, exact. No errors. IEEE 754-2019, 3.4.
 float half_to_float(std::uint16_t half);
 
 // --- layers with weights ---------------------------------------------------------------------------------
@@ -201,22 +225,27 @@ struct BatchNorm {
     double epsilon = 1e-5;
 };
 // The normalisation folded into filters [out][…]: w·γ/√(σ²+ε) and β + (b − μ)·γ/√(σ²+ε), in double, rounded
-// once.
+// once. Error(weights) when a list has not one value for each output channel or σ²+ε is not positive. Ioffe &
+// Szegedy 2015, Alg. 2.
 Filters fold(Filters filters, const BatchNorm& norm);
 
 // Weights of a layer, repacked for the kernel: [block of rows][in][tap][row of the block].
 struct PackedFilters;
 
-// Convolution in PyTorch's sense (cross-correlation), zero padding.
+// Convolution in PyTorch's sense (cross-correlation), zero padding (thesis Fig. 3.2; Conv2d).
 class Convolution {
 public:
+    // Error(weights) when extents, lists and groups do not fit together. Conv2d.
     Convolution(Filters filters, const ConvolutionOptions& options);
     Convolution(Convolution&&) noexcept;
     Convolution& operator=(Convolution&&) noexcept;
     ~Convolution();
+    // [n][in][h][w] to [n][out][out_height(h)][out_width(w)]. Error(weights) when the channels differ or the
+    // image is too small. Conv2d.
     Tensor forward(const Tensor& input, const Runtime& runtime) const;
-    // Multiply-accumulates of one image of that size.
+    // Multiply-accumulates of one image of that size in pixels. No errors. Own.
     std::int64_t operations(int height, int width) const;
+    // ⌊(extent + 2·padding − dilation·(kernel − 1) − 1) / stride⌋ + 1 pixels; channels. No errors. Conv2d.
     int out_height(int height) const;
     int out_width(int width) const;
     int out_channels() const { return filters_.out; }
@@ -227,13 +256,17 @@ private:
     std::unique_ptr<PackedFilters> packed_;
 };
 
-// The chain of an output element runs over the taps that reach it alone: those whose stride fits.
+// The chain of an output element runs over the taps that reach it alone: those whose stride fits
+// (ConvTranspose2d).
 class TransposedConvolution {
 public:
+    // Error(weights) when extents, lists and groups do not fit together. ConvTranspose2d.
     TransposedConvolution(Filters filters, const ConvolutionOptions& options);
     TransposedConvolution(TransposedConvolution&&) noexcept;
     TransposedConvolution& operator=(TransposedConvolution&&) noexcept;
     ~TransposedConvolution();
+    // [n][in][h][w] to [n][out][(h − 1)·stride − 2·padding + dilation·(kernel − 1) + output_padding + 1][…].
+    // Error(weights) when the channels differ or nothing is left. ConvTranspose2d.
     Tensor forward(const Tensor& input, const Runtime& runtime) const;
 
 private:
@@ -246,8 +279,9 @@ private:
 // y = W·x + b on the flattened [channel][row][column] of each batch entry; result [batch][out][1][1].
 class Linear {
 public:
-    // weights: [out][in], bias: [out].
+    // weights: [out][in], bias: [out]. Error(weights) when they have other sizes. Thesis Eq. 3.1; Linear.
     Linear(int out, int in, const std::vector<float>& weights, std::vector<float> bias);
+    // Error(weights) when a batch entry has not `in` values. Thesis Eq. 3.1; Linear.
     Tensor forward(const Tensor& input, const Runtime& runtime) const;
 
 private:
@@ -258,29 +292,42 @@ private:
 
 // --- layers without weights ------------------------------------------------------------------------------
 
-// Padded taps do not count. With `ceil_mode` a last window that starts inside the image or its left padding
-// may reach beyond the right one, as in PyTorch.
+// [n][c][h][w] to [n][c][⌊(h + 2·padding − kernel) / stride⌋ + 1][…]. Padded taps do not count. With
+// `ceil_mode` a last window that starts inside the image or its left padding may reach beyond the right one.
+// Error(weights) when the window is impossible or larger than the image. Thesis Fig. 3.3; MaxPool2d.
 Tensor max_pool(const Tensor& input, int kernel, int stride, int padding = 0, bool ceil_mode = false);
-// Sum in raster order in double, divided by the number of taps inside the image (count_include_pad = false).
+// The same shapes and errors. Sum in raster order in double, divided by the number of taps inside the image.
+// AvgPool2d with count_include_pad = false.
 Tensor average_pool(const Tensor& input, int kernel, int stride, int padding = 0);
+// [n][c][h][w] to [n][c][1][1]. Error(weights) when the image is empty. AdaptiveAvgPool2d(1),
+// AdaptiveMaxPool2d(1).
 Tensor global_average_pool(const Tensor& input);
 Tensor global_max_pool(const Tensor& input);
 
-void relu(Tensor& x);                      // x > 0 ? x : 0
-void add_relu(Tensor& x, const Tensor& y); // relu(x + y)
+// x > 0 ? x : 0, in place. No errors. Thesis Eq. 3.2; ReLU.
+void relu(Tensor& x);
+// x becomes relu(x + y), x + y. Error(weights) when the shapes differ. The sum of a residual block (He et al.
+// 2016, Eq. 1; thesis Fig. 4.4).
+void add_relu(Tensor& x, const Tensor& y);
 void add(Tensor& x, const Tensor& y);
-Tensor concatenate(const Tensor& a, const Tensor& b); // along channels
-Tensor mirrored(const Tensor& input);                 // left and right exchanged
+// [n][a][h][w] and [n][b][h][w] to [n][a + b][h][w]. Error(weights) when the other extents differ. cat.
+Tensor concatenate(const Tensor& a, const Tensor& b);
+// The input's shape, left and right exchanged. No errors. flip.
+Tensor mirrored(const Tensor& input);
+// To height × width pixels. Error(weights) when one of the sizes is 0. interpolate, mode "nearest".
 Tensor resize_nearest(const Tensor& input, int height, int width);
-// x += y, resized to x's size as above.
+// x += y, resized to x's size as above. Error(weights) when batch or channels differ. The feature pyramid's
+// top-down pathway (Lin et al. 2017, 3).
 void add_nearest(Tensor& x, const Tensor& y);
-// PyTorch's bilinear interpolation with align_corners = false, without antialiasing.
+// To height × width pixels, without antialiasing. Error(weights) when one of the sizes is 0. interpolate,
+// mode "bilinear", align_corners = false.
 Tensor resize_bilinear(const Tensor& input, int height, int width, const Runtime& runtime);
-// The same with align_corners = true: the corner pixels' centres stay where they are.
+// The same shapes and errors; align_corners = true: the corner pixels' centres stay where they are.
 Tensor resize_corners(const Tensor& input, int height, int width);
-// 1 / (1 + exp(−x)) in double by math::exp, rounded once.
+// 1 / (1 + exp(−x)) of each element in double by math::exp, rounded once. No errors. Thesis Eq. 3.3; Sigmoid.
 Tensor sigmoid(const Tensor& logits);
-// Over channels: exp(x − max) in double by math::exp, summed in the order of channels, rounded once.
+// Over channels, the input's shape: exp(x − max) in double by math::exp, summed in the order of channels,
+// rounded once. No errors. Thesis Eq. 3.5; Softmax.
 Tensor softmax(const Tensor& logits, const Runtime& runtime);
 
 } // namespace pantin::network

@@ -9,6 +9,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -54,6 +55,12 @@ void apply_config(Options& options, const std::filesystem::path& file);
 void apply_config_text(Options& options, const std::string& json, const std::string& source);
 // Every option with its value as JSON text, in a fixed order.
 std::vector<std::pair<std::string, std::string>> list_options(const Options& options);
+
+// An option that had another name; a configuration may use the former one for a release. No errors; own.
+struct RenamedOption {
+    std::string_view former, name;
+};
+std::span<const RenamedOption> renamed_options();
 
 // --- settings of a run -------------------------------------------------------------------------------------
 

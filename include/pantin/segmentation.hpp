@@ -18,7 +18,7 @@ namespace pantin {
 // picture, W to the left, S towards the viewer, N away.
 inline constexpr std::array<const char*, 8> pose_names = {"E", "NE", "N", "NW", "W", "SW", "S", "SE"};
 
-// The silhouette's last word. p(x, y) is the network's foreground probability, 1 − p(background), at working
+// The final silhouette. p(x, y) is the network's foreground probability, 1 − p(background), at working
 // size; lengths are shares of the working crop's longer side, areas shares of the silhouette's area.
 //
 // 1. Cut: a region of the mask without ink where p < keep_probability is removed, when it is thicker than
@@ -62,26 +62,27 @@ struct SegmentationOptions {
     // Thesis ch. 5: grey erosion of photographs, so that strokes are as thick and sharp as in the training
     // data: the darkest value of the 3×3 neighbourhood at the network's resolution.
     bool grey_erosion = false;
-    // Probabilities are means over several looks at the drawing: with its mirror image, and tilted by so many
-    // degrees to either side (0: not). A look counts exp(sharpness · mean probability of the parts that it
-    // sees). `thesis`: one look.
+    // Test-time augmentation: probabilities are means over several views of the drawing, with its mirror
+    // image and tilted by so many degrees to either side (0: not). A view counts exp(inverse_temperature ·
+    // its confidence). `thesis`: one view.
     bool mirror = true;
-    double tilt = 20, sharpness = 30;
-    // When the first look, at the drawing as it is, is this sure (as `Segmentation::sureness`) it is the only
-    // one.
-    double sure_enough = 0.96;
-    // A drawing of which even the surest look is less sure, and whose strokes are longer than its outline by
-    // this factor, is a scribble and no character. (An outline with gaps makes the network unsure, too.)
-    // `thesis`: least_sureness 0.
-    double least_sureness = 0.895, scribble_ratio = 1.2;
+    double tilt = 20, inverse_temperature = 30;
+    // When the first view, the drawing as it is, has this confidence it is the only one.
+    double sufficient_confidence = 0.96;
+    // A drawing of which every view has less confidence, and whose strokes are longer than its outline by
+    // this factor, is a scribble and no character. (An outline with gaps lowers the confidence, too.)
+    // `thesis`: least_confidence 0.
+    double least_confidence = 0.895, scribble_ratio = 1.2;
     SilhouetteOptions silhouette;
 };
 
 struct Segmentation {
     std::string expert; // the expert that the router chose
-    double stroke_ratio =
-        0;               // length of the strokes over that of the silhouette's border: 1 for a plain outline
-    double sureness = 0; // mean probability of the most probable part, over the foreground of the surest look
+    // Length of the strokes over that of the silhouette's border: 1 for a plain outline.
+    double stroke_ratio = 0;
+    // Mean probability of the most probable part over the foreground, of the view where it is largest; in [0,
+    // 1]. segmentation.json calls it "sureness".
+    double confidence = 0;
     std::vector<std::pair<std::string, double>>
         router;                             // expert → probability, in the order of the weight file
     std::array<double, 8> pose{};           // probability per pose_names
@@ -89,15 +90,22 @@ struct Segmentation {
     LabelMap labels;                        // working size; the silhouette is labels ≠ 0
 };
 
-// SketchParse (Sarvadevabhatla et al. 2017): shared stem, router, one expert per category group, pose head.
+// A two-level network in the manner of SketchParse (Sarvadevabhatla et al. 2017; thesis 4.3): shared layers,
+// a router, one expert for each group of categories, a pose head. The weight file's metadata chooses between
+// the compact one and SketchParse itself (docs/formats.md).
 class Segmenter {
 public:
-    // Reads the weights (safetensors). Throws Error(weights) naming `source`.
+    // weights: the bytes of a safetensors file, which are not needed afterwards; source: its name in
+    // messages. Error(weights) when the file is damaged, incomplete or for a network that is not known. Own
+    // format on top of safetensors.
     Segmenter(std::span<const unsigned char> weights, const std::string& source);
     ~Segmenter();
     Segmenter(Segmenter&&) noexcept;
 
     // drawing: the crop at page resolution; mask: the detected silhouette at working size, the same crop.
+    // Labels at working size, probabilities at the network's. Error(weights) when the layers do not fit
+    // together, Error(internal) when drawing or mask is empty. The bits do not depend on the threads.
+    // Thesis 4.3; views and the final silhouette are own.
     Segmentation segment(const RgbImage& drawing, const Mask& mask,
                          const SegmentationOptions& options = {}) const;
 

@@ -1,72 +1,24 @@
 // SPDX-License-Identifier: MIT
-// The page through Mask R-CNN, and what it says of the page's pixels.
+// The page through a detection network (thesis 4.2: Mask R-CNN), and what it says of the page's pixels.
 #include <algorithm>
 #include <cmath>
 
-#include "detection/mask_rcnn/model.hpp"
-#include "pantin/detection.hpp"
-#include "pantin/error.hpp"
-#include "pantin/image.hpp"
+#include "detection/detection_network.hpp"
 
 namespace pantin {
 
 struct CharacterFinder::Model {
-    mask_rcnn::Network network;
+    std::unique_ptr<detection::DetectionNetwork> network;
 };
 
 CharacterFinder::CharacterFinder(std::span<const unsigned char> weights, const std::string& source)
-    : model_(std::make_unique<Model>(Model{mask_rcnn::load_network(network::WeightFile(weights, source))})) {
-    const std::size_t channels = model_->network.options.transform.mean.size();
-    if (channels != 1 && channels != 3)
-        throw Error(ErrorKind::weights, source + ": the network sees neither ink darkness nor three colours");
-}
+    : model_(std::make_unique<Model>(
+          Model{detection::load_detection_network(network::WeightFile(weights, source))})) {}
 CharacterFinder::~CharacterFinder() = default;
 CharacterFinder::CharacterFinder(CharacterFinder&&) noexcept = default;
 
-namespace {
-
-// What the network sees: ink darkness, or red, green and blue in [0, 1]. Large pages are averaged down first;
-// the network's own resizing would skip thin lines.
-network::Tensor input_of(const RgbImage& page, const mask_rcnn::TransformOptions& options) {
-    const int longer = std::max(page.width(), page.height());
-    const auto side = [&](int pixels) {
-        const double share = std::min(1.0, static_cast<double>(options.longer) / longer);
-        return std::max(1, static_cast<int>(std::floor(pixels * share + 0.5)));
-    };
-    const int width = side(page.width()), height = side(page.height());
-    const auto reduced = [&](const Grid<float>& image) {
-        return longer > options.longer ? resize(image, width, height) : image;
-    };
-    network::Tensor input(1, static_cast<int>(options.mean.size()), height, width);
-    if (input.channels() == 1) {
-        const Grid<float> ink = reduced(ink_darkness(page));
-        std::copy(ink.begin(), ink.end(), input.begin());
-        return input;
-    }
-    constexpr std::uint8_t Rgb8::*colours[] = {&Rgb8::r, &Rgb8::g, &Rgb8::b};
-    for (int c = 0; c < 3; ++c) {
-        Grid<float> plane(page.width(), page.height());
-        std::transform(page.begin(), page.end(), plane.begin(),
-                       [&](const Rgb8& pixel) { return static_cast<float>(pixel.*colours[c]) / 255; });
-        const Grid<float> small = reduced(plane);
-        std::copy(small.begin(), small.end(), input.plane(0, c));
-    }
-    return input;
-}
-
-} // namespace
-
 std::vector<CharacterFinder::Found> CharacterFinder::find(const RgbImage& page, int threads) const {
-    const network::Tensor image = input_of(page, model_->network.options.transform);
-    const double x = static_cast<double>(page.width()) / image.width(),
-                 y = static_cast<double>(page.height()) / image.height();
-    std::vector<Found> found;
-    for (const mask_rcnn::Detection& d : model_->network.forward(image, network::Runtime(threads))) {
-        Grid<float> mask(d.mask.width(), d.mask.height());
-        std::copy(d.mask.begin(), d.mask.end(), mask.begin());
-        found.push_back({d.score, d.box.left * x, d.box.top * y, d.box.right * x, d.box.bottom * y, mask});
-    }
-    return found;
+    return model_->network->find(page, network::Runtime(threads));
 }
 
 // Bilinear between the centres of the mask's pixels.

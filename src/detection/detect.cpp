@@ -2,15 +2,16 @@
 // Step 1 of the pipeline (thesis 4.2): ink, its grouping to characters by contours or by Mask R-CNN,
 // silhouettes. Based on: S. Suzuki, K. Abe: Topological structural analysis of digitized binary images by
 // border following. CVGIP 30, 1985. The page is thresholded against its local mean, pieces of ink are grouped
-// to characters (grouping.cpp), and each character's open outline is closed (rooms.cpp, silhouette.cpp).
+// to characters (grouping.cpp), and each character's open outline is closed (enclosed_regions.cpp,
+// ink_silhouette.cpp).
 #include "pantin/detection.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "detection/grouping.hpp"
+#include "detection/ink_silhouette.hpp"
 #include "detection/network_grouping.hpp"
-#include "detection/silhouette.hpp"
 #include "pantin/image.hpp"
 
 namespace pantin {
@@ -32,7 +33,7 @@ RgbImage inverted(RgbImage page) {
 }
 
 // Strokes: darker than the local mean by `ink_contrast` and not near-white; filled areas: at least half as
-// dark as the darkest strokes. Both on the page with its paper evened out (ink_darkness), so shadows and
+// dark as the darkest strokes. Both on the page with its background evened out (ink_darkness), so shadows and
 // tints are gone.
 Mask find_ink(const RgbImage& page, const DetectionOptions& options) {
     const Grid<float> darkness = ink_darkness(is_dark_page(greyscale(page)) ? inverted(page) : page);

@@ -2,12 +2,14 @@
 // From ink to characters. Thesis 4.2 names the problem: with gaps one character has many contours, and the
 // more is dilated, the more neighbours merge. So nothing is dilated; pieces of ink are joined by rules on
 // gaps and sizes:
-// 1. Pieces are the 8-connected components of the ink. Dust, paper edges, ruled lines and frames are dropped.
+// 1. Pieces are the 8-connected components of the ink. Dust, the edges of the sheet, ruled lines and frames
+// are dropped.
 // 2. What lies inside a piece's outer border (Suzuki & Abe 1985) belongs to it.
-// 3. Open lines that enclose a room together (rooms.hpp) are one outline.
+// 3. Open lines that enclose a region together (enclosed_regions.hpp) are one outline.
 // 4. Neighbouring pieces (whose Voronoi cells touch) are joined in the order of their gaps, shortest first,
 //    when the gap is small relative to the sizes reached so far (`belong_together`): marks by their distance,
-//    arcs of one outline because they enclose a room together (rooms.hpp), closed shapes side by side never.
+//    arcs of one outline because they enclose a region together (enclosed_regions.hpp), closed shapes side by
+//    side never.
 // 5. Groups that are small beside the largest are dropped.
 #include "detection/grouping.hpp"
 
@@ -16,7 +18,7 @@
 #include <map>
 
 #include "core/disjoint_sets.hpp"
-#include "detection/rooms.hpp"
+#include "detection/enclosed_regions.hpp"
 #include "pantin/geometry.hpp"
 #include "pantin/image.hpp"
 
@@ -67,8 +69,8 @@ std::vector<Piece> measure_pieces(const Components& components) {
     return pieces;
 }
 
-// Marks whose both sides are below 1 % of the page: dust, paper grain (and eyes, which the silhouette covers
-// anyway).
+// Marks whose both sides are below 1 % of the page: dust, grain of the sheet (and eyes, which the silhouette
+// covers anyway).
 bool is_dust(const Piece& piece, int w, int h) {
     return std::max(piece.box.width, piece.box.height) < std::max(3.0, 0.01 * std::max(w, h));
 }
@@ -136,11 +138,11 @@ std::vector<Gap> gaps_between(const Components& components, const std::vector<Pi
 struct Group {
     std::vector<int> pieces;
     Box box;
-    double rooms = 0; // area that its ink encloses (rooms.hpp) or colours in
+    double enclosed = 0; // area that its ink encloses (enclosed_regions.hpp) or colours in
     // A figure that could stand alone, not an open line: a body, or the head of a stick figure with its
     // lines.
     bool closed(const DetectionOptions& options) const {
-        return rooms > options.closed_share * diagonal_of(box) * diagonal_of(box);
+        return enclosed > options.closed_share * diagonal_of(box) * diagonal_of(box);
     }
 };
 
@@ -151,9 +153,9 @@ public:
         const double page = diagonal_of({0, 0, components.ids.width(), components.ids.height()});
         for (int i = 0; i < static_cast<int>(pieces.size()); ++i) {
             groups_.push_back({{i}, pieces[i].box});
-            // Rooms of small pieces decide nothing.
+            // What small pieces enclose decides nothing.
             if (!pieces[i].dropped && diagonal_of(pieces[i].box) > 0.03 * page)
-                groups_[i].rooms = rooms_of(groups_[i]);
+                groups_[i].enclosed = enclosed_area(groups_[i]);
         }
     }
     int find(int i) { return sets_.find(i); }
@@ -161,9 +163,9 @@ public:
 
     void unite_nested(int inner, int outer) {
         inner = find(inner), outer = find(outer);
-        if (inner != outer) unite(inner, outer, std::max(groups_[inner].rooms, groups_[outer].rooms));
+        if (inner != outer) unite(inner, outer, std::max(groups_[inner].enclosed, groups_[outer].enclosed));
     }
-    // Open lines around one room are one outline.
+    // Open lines around one region are one outline.
     void unite_around(const std::vector<int>& pieces) {
         int first = -1;
         for (int piece : pieces) {
@@ -172,16 +174,16 @@ public:
             if (first < 0)
                 first = root;
             else if (root != first)
-                unite(first, root, groups_[first].rooms + groups_[root].rooms), first = find(root);
+                unite(first, root, groups_[first].enclosed + groups_[root].enclosed), first = find(root);
         }
-        if (first >= 0) groups_[first].rooms = rooms_of(groups_[first]);
+        if (first >= 0) groups_[first].enclosed = enclosed_area(groups_[first]);
     }
     void unite_across(const Gap& gap) {
         int a = find(gap.a), b = find(gap.b);
         if (a == b) return;
         if (diagonal_of(groups_[a].box) < diagonal_of(groups_[b].box)) std::swap(a, b);
         if (belong_together(groups_[a], groups_[b], gap.width))
-            unite(a, b, groups_[a].rooms + groups_[b].rooms);
+            unite(a, b, groups_[a].enclosed + groups_[b].enclosed);
     }
 
 private:
@@ -210,11 +212,11 @@ private:
     bool encloses_more(const Group& a, const Group& b) const {
         Group both{a.pieces, united(a.box, b.box)};
         both.pieces.insert(both.pieces.end(), b.pieces.begin(), b.pieces.end());
-        const double together = rooms_of(both);
-        return together - a.rooms - b.rooms > options_.room_gain * together;
+        const double together = enclosed_area(both);
+        return together - a.enclosed - b.enclosed > options_.enclosed_gain * together;
     }
 
-    double rooms_of(const Group& group) const {
+    double enclosed_area(const Group& group) const {
         const Box& box = group.box;
         Mask ink(box.width, box.height);
         for (int y = 0; y < box.height; ++y) {
@@ -223,21 +225,22 @@ private:
                 ink(x, y) = std::find(group.pieces.begin(), group.pieces.end(), piece) != group.pieces.end();
             }
         }
-        const Mask rooms = find_rooms(ink);
-        const double enclosed = static_cast<double>(std::count(rooms.begin(), rooms.end(), 1));
-        // A figure that is coloured in has ink where a line drawing has rooms: what lies deeper than any pen.
+        const Mask regions = find_enclosed_regions(ink);
+        const double enclosed = static_cast<double>(std::count(regions.begin(), regions.end(), 1));
+        // A figure that is coloured in has ink where a line drawing encloses background: what lies deeper
+        // than any pen.
         const Grid<int> depth = squared_distance_transform(ink);
         const double pen = options_.deepest_pen * diagonal_of(box);
         return enclosed + static_cast<double>(std::count_if(
                               depth.begin(), depth.end(), [&](int squared) { return squared > pen * pen; }));
     }
 
-    void unite(int a, int b, double rooms) {
+    void unite(int a, int b, double enclosed) {
         const int low = std::min(a, b), high = std::max(a, b);
         Group& to = groups_[low];
         to.pieces.insert(to.pieces.end(), groups_[high].pieces.begin(), groups_[high].pieces.end());
         to.box = united(to.box, groups_[high].box);
-        to.rooms = rooms;
+        to.enclosed = enclosed;
         groups_[high].pieces.clear();
         sets_.unite(low, high);
     }
@@ -262,27 +265,27 @@ std::vector<std::pair<int, int>> nested_pieces(const Components& components, con
     return nested;
 }
 
-// For every room that all kept ink of the page encloses together: the pieces around it, each with a fair
-// share of the room's border.
-std::vector<std::vector<int>> pieces_around_rooms(const Components& components,
-                                                  const std::vector<Piece>& pieces,
-                                                  const DetectionOptions& options) {
+// For every region that all kept ink of the page encloses together: the pieces around it, each with a fair
+// share of the region's border.
+std::vector<std::vector<int>> pieces_around_regions(const Components& components,
+                                                    const std::vector<Piece>& pieces,
+                                                    const DetectionOptions& options) {
     const int w = components.ids.width(), h = components.ids.height();
     Mask kept(w, h);
     for (std::size_t i = 0; i < kept.size(); ++i) {
         const int id = components.ids.data()[i];
         kept.data()[i] = id != 0 && !pieces[id - 1].dropped;
     }
-    RoomOptions room_options;
-    room_options.small_ratio = room_options.large_ratio; // shares of the page's hull mean nothing
-    const Components rooms = connected_components(find_rooms(kept, room_options));
-    std::vector<std::map<int, int>> contacts(rooms.list.size()); // piece → pixels of it beside the room
+    EnclosedRegionOptions region_options;
+    region_options.small_ratio = region_options.large_ratio; // shares of the page's hull mean nothing
+    const Components regions = connected_components(find_enclosed_regions(kept, region_options));
+    std::vector<std::map<int, int>> contacts(regions.list.size()); // piece → pixels of it beside the region
     for (int y = 0; y < h; ++y) {
         for (int x = 0; x < w; ++x) {
             const int piece = kept(x, y) ? components.ids(x, y) - 1 : -1;
             if (piece < 0) continue;
             for (Point2i n : {Point2i{x, y - 1}, {x - 1, y}, {x + 1, y}, {x, y + 1}})
-                if (const int room = rooms.ids.value_or(n.x, n.y, 0)) ++contacts[room - 1][piece];
+                if (const int region = regions.ids.value_or(n.x, n.y, 0)) ++contacts[region - 1][piece];
         }
     }
     std::vector<std::vector<int>> around;
@@ -309,7 +312,7 @@ Grouping group_ink(const Mask& ink, const DetectionOptions& options) {
     Joiner joiner(components, pieces, options);
     for (const auto& [inner, outer] : nested_pieces(components, ink))
         if (!pieces[inner].dropped && !pieces[outer].dropped) joiner.unite_nested(inner, outer);
-    for (const std::vector<int>& around : pieces_around_rooms(components, pieces, options))
+    for (const std::vector<int>& around : pieces_around_regions(components, pieces, options))
         joiner.unite_around(around);
     for (const Gap& gap : gaps_between(components, pieces)) joiner.unite_across(gap);
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Detections of the network and ink of the page to one group of ink for each character (thesis 4.2). The
+// rules (network_grouping.hpp) are ours: the thesis takes the mask itself.
 #include "detection/network_grouping.hpp"
 
 #include <algorithm>

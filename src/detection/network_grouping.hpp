@@ -12,7 +12,7 @@ struct Claims {
     std::vector<double> scores; // of the detections
 };
 
-// The detections that are sure enough (`network_score`) and no parts of larger ones (`contained_share`).
+// The detections with enough score (`network_score`) and no parts of larger ones (`contained_share`).
 std::vector<CharacterFinder::Found> whole_characters(std::vector<CharacterFinder::Found> found,
                                                      const DetectionOptions& options);
 

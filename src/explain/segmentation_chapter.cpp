@@ -115,7 +115,7 @@ Values segment_chapter(const CharacterStory& story) {
                                     {"router", router(segmentation)},
                                     {"pose", pose(segmentation)},
                                     {"expert", escaped(segmentation.expert)},
-                                    {"sureness", decimal(segmentation.sureness, 3)},
+                                    {"confidence", decimal(segmentation.confidence, 3)},
                                     {"strokes", decimal(segmentation.stroke_ratio, 2)}});
     } else {
         values["network"] = "<p>The part labels of this character were given, so no network was asked.</p>";

@@ -10,7 +10,7 @@ std::string segmentation_to_json(const Segmentation& segmentation) {
     json["expert"] = segmentation.expert;
     json["router"] = Json::object();
     for (const auto& [expert, probability] : segmentation.router) json["router"][expert] = probability;
-    json["sureness"] = segmentation.sureness;
+    json["sureness"] = segmentation.confidence;
     json["stroke_ratio"] = segmentation.stroke_ratio;
     json["pose"] = Json::object();
     for (std::size_t i = 0; i < pose_names.size(); ++i) json["pose"][pose_names[i]] = segmentation.pose[i];

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Packed filters over one image: the padded image as phase planes, then groups of output vectors through the
+// kernel on all threads (chains.hpp says how). Ours.
 #include "network/chains.hpp"
 
 #include <algorithm>

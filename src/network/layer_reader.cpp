@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Tensors of a weight file by PyTorch's names to layers, normalisations folded in (Ioffe & Szegedy 2015).
 #include "network/layer_reader.hpp"
 
 namespace pantin::network {

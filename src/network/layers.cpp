@@ -212,6 +212,7 @@ Tensor resize_bilinear(const Tensor& input, int height, int width, const Runtime
 }
 
 Tensor resize_corners(const Tensor& input, int height, int width) {
+    if (input.plane_size() == 0 || height < 1 || width < 1) fail("an empty image is resized");
     Tensor output = Tensor::uninitialised(input.batch(), input.channels(), height, width);
     // The place x·(from − 1)/(to − 1) as its whole part and its fraction, the latter rounded once.
     struct Place {

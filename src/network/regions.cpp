@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Boxes and pooled regions: overlap, suppression (Girshick et al. 2014), RoIAlign (He et al. 2017, Fig. 3).
 #include "network/regions.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A residual block: relu(branch(x) + shortcut(x)) (He et al. 2016, Fig. 2; thesis Fig. 4.4).
 #include "network/residual.hpp"
 
 namespace pantin::network {

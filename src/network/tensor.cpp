@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Memory of tensors: blocks that are given back are kept for the next layer. Ours.
 #include <algorithm>
 #include <cstdlib>
 #include <limits>

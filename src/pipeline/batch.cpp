@@ -14,9 +14,9 @@
 
 #include "core/file.hpp"
 #include "core/json.hpp"
+#include "core/thread_pool.hpp"
 #include "formats/file_names.hpp"
 #include "formats/identification_file.hpp"
-#include "pantin/network.hpp"
 
 namespace pantin {
 
@@ -201,8 +201,7 @@ private:
 void run_in_order(int threads, const std::function<BatchTask()>& next,
                   const std::function<bool(const BatchResult&)>& write) {
     OrderedWorkerPool pool(threads, next, write);
-    const network::Runtime runtime(threads);
-    runtime.parallel_for(threads, [&](int) { pool.work(); });
+    parallel_for(threads, threads, [&](int) { pool.work(); });
 }
 
 } // namespace pantin

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/file.hpp"
-#include "pantin/network.hpp"
+#include "core/thread_pool.hpp"
 
 namespace pantin {
 
@@ -37,8 +37,7 @@ Film render_film(const Rig& rig, const BoneAnimation& animation, const RgbaImage
                  const Settings& settings) {
     Film film = blank_film(animation.duration, settings.render.fps);
     const FrameRenderer renderer(rig, texture, view, settings.render.picture);
-    const network::Runtime runtime(settings.threads);
-    runtime.parallel_for(static_cast<int>(film.frames.size()), [&](int frame) {
+    parallel_for(settings.threads, static_cast<int>(film.frames.size()), [&](int frame) {
         const auto i = static_cast<std::size_t>(frame);
         const double time =
             animation.duration * static_cast<double>(i) / static_cast<double>(film.frames.size());

@@ -17,6 +17,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Former names of options. A configuration may use them for one release; they are not listed.
+constexpr RenamedOption former_names[] = {
+    {"detection.room_gain", "detection.enclosed_gain"},
+    {"segmentation.sharpness", "segmentation.inverse_temperature"},
+    {"segmentation.sure_enough", "segmentation.sufficient_confidence"},
+    {"segmentation.least_sureness", "segmentation.least_confidence"},
+};
+
 // Calls visit(name, field, low, high) for numbers and visit(name, field, names) for choices, in a fixed
 // order.
 template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visit) {
@@ -39,7 +47,7 @@ template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visi
     visit("detection.head_gap", o.head_gap, 0, 1);
     visit("detection.open_gap", o.open_gap, 0, 1);
     visit("detection.stacked_gap", o.stacked_gap, 0, 1);
-    visit("detection.room_gain", o.room_gain, 0, 1);
+    visit("detection.enclosed_gain", o.enclosed_gain, 0, 1);
     visit("detection.min_share", o.min_share, 0, 1);
     visit("detection.min_side", o.min_side, 1, 16384);
     visit("detection.network_score", o.network_score, 0, 1);
@@ -52,9 +60,9 @@ template <class Visitor> void visit_segmentation(SegmentationOptions& o, Visitor
     visit("segmentation.grey_erosion", o.grey_erosion);
     visit("segmentation.mirror", o.mirror);
     visit("segmentation.tilt", o.tilt, 0, 90);
-    visit("segmentation.sharpness", o.sharpness, 0, 1000);
-    visit("segmentation.sure_enough", o.sure_enough, 0, 2);
-    visit("segmentation.least_sureness", o.least_sureness, 0, 1);
+    visit("segmentation.inverse_temperature", o.inverse_temperature, 0, 1000);
+    visit("segmentation.sufficient_confidence", o.sufficient_confidence, 0, 2);
+    visit("segmentation.least_confidence", o.least_confidence, 0, 1);
     visit("segmentation.scribble_ratio", o.scribble_ratio, 0, 1000);
     visit("segmentation.fill_probability", o.silhouette.fill_probability, 0, 1);
     visit("segmentation.keep_probability", o.silhouette.keep_probability, 0, 1);
@@ -209,7 +217,20 @@ void flatten(const JsonReader& object, const std::string& prefix, std::map<std::
     }
 }
 
+// What stands under a former name counts as the new one.
+void take_former_names(std::map<std::string, JsonReader>& given) {
+    for (const RenamedOption& option : former_names) {
+        const auto former = given.find(std::string(option.former));
+        if (former == given.end()) continue;
+        if (!given.emplace(option.name, former->second).second)
+            former->second.fail("is given twice, also as '" + std::string(option.name) + "'");
+        given.erase(former);
+    }
+}
+
 } // namespace
+
+std::span<const RenamedOption> renamed_options() { return former_names; }
 
 Options make_preset(std::string_view name) {
     Options options;
@@ -218,9 +239,9 @@ Options make_preset(std::string_view name) {
         throw Error(ErrorKind::usage,
                     "--preset: there is no preset '" + std::string(name) + "' (default, thesis)");
     options.detection.working_size = 321; // ch. 5: the network's input
-    options.segmentation.mirror = false;  // 4.3: one look at the drawing
+    options.segmentation.mirror = false;  // 4.3: one view of the drawing
     options.segmentation.tilt = 0;
-    options.segmentation.least_sureness = 0;          // 4.3: whatever was detected is a character
+    options.segmentation.least_confidence = 0;        // 4.3: whatever was detected is a character
     options.segmentation.silhouette.rim = 0;          // 4.2: the detector's mask
     options.skeletonization.residual = Residual::arc; // 3.4, ERRATA 1
     options.skeletonization.recover_parts_share = 0;
@@ -245,6 +266,7 @@ void apply_config_text(Options& options, const std::string& text, const std::str
     const Json json = parse_json(text, source);
     std::map<std::string, JsonReader> given;
     flatten(JsonReader(json, source), "", given);
+    take_former_names(given);
     visit_options(options, Setter{given});
     if (!given.empty())
         throw Error(ErrorKind::input, source + ": there is no option '" + given.begin()->first + "'");

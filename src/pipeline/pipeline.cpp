@@ -23,7 +23,8 @@ namespace {
 
 // Thesis 4.3 takes every drawing for a character; a scribble has no part that the network is sure of.
 void reject_scribble(const Segmentation& s, const SegmentationOptions& options) {
-    if (s.router.empty() || s.sureness >= options.least_sureness || s.stroke_ratio <= options.scribble_ratio)
+    if (s.router.empty() || s.confidence >= options.least_confidence ||
+        s.stroke_ratio <= options.scribble_ratio)
         return;
     throw CharacterRejected("segment",
                             "looks like a scribble: many strokes, and no part that the network is sure of");

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/thread_pool.hpp"
 #include "formats/file_names.hpp"
 #include "pantin/image.hpp"
-#include "pantin/network.hpp"
 #include "pipeline/film.hpp"
 #include "pipeline/overrides.hpp"
 
@@ -142,8 +142,7 @@ void render_scene(const std::filesystem::path& image, const std::filesystem::pat
     const RgbaImage paper = empty_paper(drawn, figures, page);
     std::vector<Place> places;
     for (const Figure& figure : figures) places.push_back(place_of(figure, scale, settings.render.picture));
-    const network::Runtime runtime(settings.threads);
-    runtime.parallel_for(static_cast<int>(film.frames.size()), [&](int frame) {
+    parallel_for(settings.threads, static_cast<int>(film.frames.size()), [&](int frame) {
         const auto i = static_cast<std::size_t>(frame);
         const double share = static_cast<double>(i) / static_cast<double>(film.frames.size());
         RgbaImage picture = paper;

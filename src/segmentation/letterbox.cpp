@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Ink of a crop to the network's square and the planes of the square back to the crop; grey erosion is thesis
+// ch. 5, the placing ours.
 #include "segmentation/letterbox.hpp"
 
 #include <algorithm>

@@ -13,7 +13,8 @@ namespace pantin::segmentation {
 // Where a crop of that size lies in a square of `side`: scaled so that its longer side fits, in the middle.
 Box letterbox(int width, int height, int side);
 
-// Ink darkness of the crop → [1, 1, side, side], paper (0) around it; `grey_erosion`: SegmentationOptions.
+// Ink darkness of the crop → [1, 1, side, side], background (0) around it; `grey_erosion`:
+// SegmentationOptions.
 network::Tensor to_input(const Grid<float>& ink, int side, bool grey_erosion);
 
 // Each channel of [1, c, side, side] cut to the crop.

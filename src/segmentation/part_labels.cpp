@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The labels inside the silhouette.
+// The final silhouette and the probabilities of the parts to a label for each of its pixels: the most
+// probable part, the nearest trusted label where there is none, specks given away. Ours; SketchParse takes
+// the most probable class of each pixel.
 #include <algorithm>
 
 #include "pantin/image.hpp"
-#include "segmentation/silhouette.hpp"
+#include "segmentation/part_labels.hpp"
 
 namespace pantin::segmentation {
 namespace {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The step: the crop through the network, the silhouette, the labels.
+// The step (thesis 4.3): a crop and its detected silhouette to part labels and the direction of the
+// character: the crop through the network, the final silhouette, the labels inside it.
 #include <algorithm>
 
 #include "pantin/error.hpp"
 #include "pantin/image.hpp"
 #include "pantin/segmentation.hpp"
+#include "segmentation/final_silhouette.hpp"
 #include "segmentation/letterbox.hpp"
-#include "segmentation/model.hpp"
-#include "segmentation/silhouette.hpp"
+#include "segmentation/part_labels.hpp"
 #include "segmentation/views.hpp"
 
 namespace pantin {
@@ -34,29 +35,29 @@ double stroke_ratio(const Grid<float>& ink, const Mask& silhouette) {
 } // namespace
 
 struct Segmenter::Model {
-    segmentation::Network network;
+    std::unique_ptr<segmentation::SegmentationNetwork> network;
 };
 
 Segmenter::Segmenter(std::span<const unsigned char> weights, const std::string& source)
-    : model_(
-          std::make_unique<Model>(Model{segmentation::load_network(network::WeightFile(weights, source))})) {}
+    : model_(std::make_unique<Model>(
+          Model{segmentation::load_segmentation_network(network::WeightFile(weights, source))})) {}
 Segmenter::~Segmenter() = default;
 Segmenter::Segmenter(Segmenter&&) noexcept = default;
 
 Segmentation Segmenter::segment(const RgbImage& drawing, const Mask& mask,
                                 const SegmentationOptions& options) const {
     if (drawing.empty() || mask.empty()) throw Error(ErrorKind::internal, "segmentation: the crop is empty");
-    const segmentation::Network& net = model_->network;
+    const segmentation::SegmentationNetwork& net = *model_->network;
     const network::Runtime runtime(options.threads);
 
     // 1. The network sees how dark the ink is, in its own square.
     const Grid<float> ink = ink_darkness(drawing);
-    const segmentation::NetworkResult seen =
-        segmentation::look(net, segmentation::to_input(ink, net.input, options.grey_erosion),
-                           {options.mirror, options.tilt, options.sharpness, options.sure_enough}, runtime);
+    const segmentation::NetworkResult seen = segmentation::segment_views(
+        net, segmentation::to_input(ink, net.input, options.grey_erosion),
+        {options.mirror, options.tilt, options.inverse_temperature, options.sufficient_confidence}, runtime);
 
     Segmentation result;
-    result.sureness = seen.sureness;
+    result.confidence = seen.confidence;
     result.expert = net.expert_names[static_cast<std::size_t>(seen.expert)];
     for (std::size_t e = 0; e < net.expert_names.size(); ++e)
         result.router.emplace_back(net.expert_names[e], seen.router(0, static_cast<int>(e), 0, 0));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Test-time augmentation of any segmentation network: the input's square is tilted and mirrored, the answers
+// are brought back and averaged. Ours; thesis 4.3 passes the drawing once.
 #include "segmentation/views.hpp"
 
 #include <algorithm>
@@ -17,10 +19,10 @@ constexpr double filled = 0.955;   // of the square's side by the tilted ink
 struct View {
     Tilt tilt;
     bool is_tilted = false, is_mirrored = false;
-    Features features;
+    std::unique_ptr<EncodedInput> encoded;
     Tensor router, pose, parts; // of the drawing, not of the view
-    int expert = 0;
-    double weight = 1;
+    int expert = 0;             // that pose and parts are of
+    double confidence = 0, weight = 1;
 };
 
 // Directions of a mirrored drawing as those of the drawing: E and W exchange, N and S stay.
@@ -51,26 +53,33 @@ float sample(const float* plane, int side, double x, double y, float outside) {
 }
 
 // Mean probability of the most probable part, weighted by the foreground.
-double sureness(const Tensor& parts) {
-    double sure = 0, all = 0;
+double confidence_of(const Tensor& parts) {
+    double probable = 0, all = 0;
     for (std::size_t i = 0; i < parts.plane_size(); ++i) {
         float most = 0;
         for (int c = 1; c < parts.channels(); ++c) most = std::max(most, parts.plane(0, c)[i]);
         const double foreground = 1.0 - parts.plane(0, 0)[i];
-        sure += foreground * most;
+        probable += foreground * most;
         all += foreground;
     }
-    return all > 0 ? sure / all : 0;
+    return all > 0 ? probable / all : 0;
 }
 
-// The answer of that expert on the view, brought back to the drawing.
-Tensor parts_of(const Network& net, const View& view, int expert, const Runtime& runtime) {
-    Tensor parts = net.experts[static_cast<std::size_t>(expert)].forward(view.features, runtime);
-    if (view.is_mirrored) parts = network::mirrored(parts);
-    return view.is_tilted ? straightened(parts, view.tilt) : parts;
+// Asks that expert about the view and brings its answer back to the drawing.
+void ask(View& view, int expert, const Runtime& runtime) {
+    auto [pose, parts] = view.encoded->decode(expert, runtime);
+    if (view.is_mirrored) {
+        pose = mirrored_pose(pose);
+        parts = network::mirrored(parts);
+    }
+    view.expert = expert;
+    view.pose = std::move(pose);
+    view.parts = view.is_tilted ? straightened(parts, view.tilt) : std::move(parts);
 }
 
-View look_once(const Network& net, const Tensor& ink, double degrees, bool mirror, const Runtime& runtime) {
+// The drawing tilted and mirrored, through the network, with the expert of this view.
+View make_view(const SegmentationNetwork& net, const Tensor& ink, double degrees, bool mirror,
+               const Runtime& runtime) {
     View view;
     view.is_mirrored = mirror;
     view.is_tilted = degrees != 0;
@@ -80,12 +89,10 @@ View look_once(const Network& net, const Tensor& ink, double degrees, bool mirro
         seen = tilted(ink, view.tilt);
     }
     if (mirror) seen = network::mirrored(seen);
-    view.features = net.stem.forward(seen, runtime);
-    view.router = net.router->forward(view.features, runtime);
-    view.pose = net.pose->forward(view.features, runtime);
-    if (mirror) view.pose = mirrored_pose(view.pose);
-    view.expert = most_probable(view.router);
-    view.parts = parts_of(net, view, view.expert, runtime);
+    view.encoded = net.encode(seen, runtime);
+    view.router = std::move(view.encoded->router);
+    ask(view, most_probable(view.router), runtime);
+    view.confidence = confidence_of(view.parts);
     return view;
 }
 
@@ -148,32 +155,30 @@ Tensor straightened(const Tensor& parts, const Tilt& tilt) {
     return result;
 }
 
-NetworkResult look(const Network& net, const Tensor& ink, const Looks& looks, const Runtime& runtime) {
-    std::vector<View> views = {look_once(net, ink, 0, false, runtime)};
-    std::vector<double> sure = {sureness(views.front().parts)};
-    const auto look_also = [&](double degrees, bool mirror) {
-        views.push_back(look_once(net, ink, degrees, mirror, runtime));
-        sure.push_back(sureness(views.back().parts));
-    };
-    if (sure.front() < looks.sure_enough) {
-        if (looks.mirror) look_also(0, true);
-        for (const double degrees : {looks.tilt, -looks.tilt}) {
+NetworkResult segment_views(const SegmentationNetwork& net, const Tensor& ink, const ViewOptions& options,
+                            const Runtime& runtime) {
+    std::vector<View> views;
+    views.push_back(make_view(net, ink, 0, false, runtime));
+    if (views.front().confidence < options.sufficient_confidence) {
+        if (options.mirror) views.push_back(make_view(net, ink, 0, true, runtime));
+        for (const double degrees : {options.tilt, -options.tilt}) {
             if (degrees == 0) continue;
-            look_also(degrees, false);
-            if (looks.mirror) look_also(degrees, true);
+            views.push_back(make_view(net, ink, degrees, false, runtime));
+            if (options.mirror) views.push_back(make_view(net, ink, degrees, true, runtime));
         }
     }
-    const double surest = *std::max_element(sure.begin(), sure.end());
-    for (std::size_t i = 0; i < views.size(); ++i)
-        views[i].weight = math::exp(looks.sharpness * (sure[i] - surest));
+    double largest = 0;
+    for (const View& view : views) largest = std::max(largest, view.confidence);
+    for (View& view : views)
+        view.weight = math::exp(options.inverse_temperature * (view.confidence - largest));
 
     NetworkResult result;
-    result.sureness = surest;
+    result.confidence = largest;
     result.router = weighted_mean(views, &View::router);
-    result.pose = weighted_mean(views, &View::pose);
     result.expert = most_probable(result.router);
     for (View& view : views)
-        if (view.expert != result.expert) view.parts = parts_of(net, view, result.expert, runtime);
+        if (view.expert != result.expert) ask(view, result.expert, runtime);
+    result.pose = weighted_mean(views, &View::pose);
     result.parts = weighted_mean(views, &View::parts);
     return result;
 }

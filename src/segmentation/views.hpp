@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Several looks at one drawing: as it is, tilted to both sides, mirrored. Each answer is brought back to the
-// drawing; the surer ones count more.
+// Several views of one drawing (test-time augmentation): as it is, tilted to both sides, mirrored. Each
+// answer is brought back to the drawing; those of more confident views count more.
 #pragma once
 
-#include "segmentation/model.hpp"
+#include "segmentation/segmentation_network.hpp"
 
 namespace pantin::segmentation {
 
-// Which looks, and how much surer ones count: from SegmentationOptions of those names.
-struct Looks {
+// Which views, and how much confident ones count: SegmentationOptions of those names.
+struct ViewOptions {
     bool mirror = false;
     double tilt = 0; // degrees; 0: none
-    double sharpness = 0;
-    double sure_enough = 2; // a first look this sure is the only one
+    double inverse_temperature = 0;
+    double sufficient_confidence = 2; // of the first view: it stays the only one
 };
 
 // The network's input from a drawing that is turned about its ink and scaled so that it fills the square
@@ -28,9 +28,11 @@ Tensor tilted(const Tensor& ink, const Tilt& tilt);
 // Each channel brought back to the drawing, bilinear; outside of the view channel 0 is 1, the others 0.
 Tensor straightened(const Tensor& parts, const Tilt& tilt);
 
-// Router, pose and parts are means over the looks, weighted by exp(sharpness · sureness), where sureness is
-// the mean of the most probable part over the foreground; the result's is the surest look's. The drawing
-// itself is seen first. The expert is the one of the mean router.
-NetworkResult look(const Network& net, const Tensor& ink, const Looks& looks, const Runtime& runtime);
+// Router, pose and parts are means over the views, weighted by a softmax of inverse_temperature · confidence.
+// The confidence of a view is the mean probability of the most probable part over the foreground; the
+// result's is the largest of the views. The drawing itself is seen first. The expert is the one of the mean
+// router.
+NetworkResult segment_views(const SegmentationNetwork& net, const Tensor& ink, const ViewOptions& options,
+                            const Runtime& runtime);
 
 } // namespace pantin::segmentation

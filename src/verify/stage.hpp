@@ -12,12 +12,12 @@
 namespace pantin {
 
 // The drawings, columns of the table. What the network costs is most of the time, so the features are shared
-// out: one drawing is segmented in several views, two are found by the network and one by the contour-based
+// out: one drawing is seen in several views, two are found by the network and one by the contour-based
 // detector, one becomes a solid.
 struct VerifiedDrawing {
     std::string name;
     Detector detector = Detector::mask_rcnn;
-    bool several_looks = false;
+    bool several_views = false;
     bool solid = false;
 };
 const std::vector<VerifiedDrawing>& verified_drawings();

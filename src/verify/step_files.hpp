@@ -15,7 +15,7 @@
 
 namespace pantin {
 
-std::string found_to_json(const std::vector<CharacterFinder::Found>& found); // the three of the highest score
+std::string found_to_json(const std::vector<CharacterFinder::Found>& found); // the three of highest score
 std::string
 probabilities_to_json(const std::vector<Grid<float>>& probabilities); // every 8th value, and a digest of all
 

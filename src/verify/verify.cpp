@@ -15,8 +15,8 @@ namespace {
 
 Options options_for(const VerifiedDrawing& drawing, Options options) {
     options.detection.detector = drawing.detector;
-    if (drawing.several_looks) {
-        options.segmentation.sure_enough = 1;
+    if (drawing.several_views) {
+        options.segmentation.sufficient_confidence = 1;
     } else {
         options.segmentation.mirror = false;
         options.segmentation.tilt = 0;

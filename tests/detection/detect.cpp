@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The whole step on small pages that are drawn here.
 #include "pantin/detection.hpp"
 
 #include <catch2/catch.hpp>

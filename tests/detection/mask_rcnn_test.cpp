@@ -8,7 +8,7 @@
 #include "compare_torch/trace.hpp"
 #include "core/file.hpp"
 #include "core/random.hpp"
-#include "detection/mask_rcnn/model.hpp"
+#include "detection/mask_rcnn/mask_rcnn.hpp"
 #include "pantin/error.hpp"
 #include "support/weight_files.hpp"
 

@@ -77,7 +77,7 @@ TEST_CASE("Of two claims on a pixel the stronger counts, where the mask is at le
     CHECK(owner(35, 5) == 0);
 }
 
-TEST_CASE("A detection mostly inside a larger one that is as sure is a part of it") {
+TEST_CASE("A detection mostly inside a larger one of no lower score is a part of it") {
     const auto found = [](double score, double left, double right, float inside) {
         return CharacterFinder::Found{score, left, 0, right, 40, Grid<float>(28, 28, inside)};
     };
@@ -89,9 +89,9 @@ TEST_CASE("A detection mostly inside a larger one that is as sure is a part of i
     CHECK(count({whole, found(0.8, 10, 40, 0.9f)}, {.contained_share = 1.01}) == 2);
     CHECK(count({whole, found(0.8, 70, 110, 0.9f)}) == 2);                  // a quarter of it lies inside
     CHECK(count({found(0.9, 0, 80, 0.2f), found(0.8, 10, 40, 0.9f)}) == 2); // the larger mask does not say so
-    CHECK(count({found(0.95, 10, 40, 0.9f), whole}) == 2);                  // the smaller one is surer
-    CHECK(count({whole, whole}) == 2);                                      // neither is larger
-    CHECK(count({whole, found(0.4, 100, 140, 0.9f)}) == 1);                 // not sure enough
+    CHECK(count({found(0.95, 10, 40, 0.9f), whole}) == 2);  // the smaller one has the higher score
+    CHECK(count({whole, whole}) == 2);                      // neither is larger
+    CHECK(count({whole, found(0.4, 100, 140, 0.9f)}) == 1); // too low a score
 }
 
 TEST_CASE("The finder reads a page of any size and gives places on it") {

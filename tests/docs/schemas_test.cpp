@@ -262,6 +262,16 @@ TEST_CASE("The schema of the configuration has every option, nested and dotted, 
             CHECK(schema_violation("configuration", {{name.substr(0, point),
                                                       {{name.substr(point + 1), Json::array()}}}}) != "");
         }
+    // Former names are valid, too, and marked.
+    for (const auto& [former, name] : renamed_options()) {
+        CAPTURE(former);
+        CHECK(options.insert(std::string(former)).second);
+        const std::size_t point = former.find('.');
+        const Json& group = schema["definitions"][std::string(former.substr(0, point))]["properties"];
+        CHECK(group[std::string(former.substr(point + 1))].value("deprecated", false));
+        CHECK(schema_violation("configuration", {{std::string(former), all[std::string(name)]}}) == "");
+        CHECK(schema_violation("configuration", {{std::string(former), "another type"}}) != "");
+    }
     CHECK(dotted == options);
     CHECK(schema_violation("configuration", all) == "");
     CHECK(schema_violation("configuration", {{"identification", {{"label_values", {{"wing", 9}}}}}}) == "");

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "network/reference.hpp"
+#include "network/naive_layers.hpp"
 #include "pantin/error.hpp"
 #include "support/tensors.hpp"
 
@@ -83,8 +83,7 @@ TEST_CASE("Convolutions of odd shapes equal the plain loops bit for bit on every
                       << ", stride " << options.stride << ", dilation " << options.dilation << ", padding "
                       << options.padding << ", groups " << options.groups << ", image " << input.height()
                       << "×" << input.width());
-        check_everywhere(Convolution(filters, options), input,
-                         reference::convolution(input, filters, options));
+        check_everywhere(Convolution(filters, options), input, naive::convolution(input, filters, options));
     }
 }
 
@@ -105,7 +104,7 @@ TEST_CASE("Transposed convolutions of odd shapes equal the plain loops bit for b
         INFO("round " << round << ": kernel " << kernel << ", stride " << options.stride << ", dilation "
                       << options.dilation << ", padding " << options.padding);
         check_everywhere(TransposedConvolution(filters, options), input,
-                         reference::transposed_convolution(input, filters, options));
+                         naive::transposed_convolution(input, filters, options));
     }
 }
 
@@ -116,14 +115,13 @@ TEST_CASE("A depthwise convolution and one with wide rows equal the plain loops"
     depthwise.padding = 1;
     const Filters filters = random_filters(random, 7, 7, 3, 3, 7);
     const Tensor image = random_tensor(random, 1, 7, 9, 33);
-    check_everywhere(Convolution(filters, depthwise), image,
-                     reference::convolution(image, filters, depthwise));
+    check_everywhere(Convolution(filters, depthwise), image, naive::convolution(image, filters, depthwise));
 
     ConvolutionOptions wide;
     wide.padding = 1;
     const Filters more = random_filters(random, 20, 4, 3, 3, 1);
     const Tensor large = random_tensor(random, 1, 4, 20, 128);
-    check_everywhere(Convolution(more, wide), large, reference::convolution(large, more, wide));
+    check_everywhere(Convolution(more, wide), large, naive::convolution(large, more, wide));
 }
 
 TEST_CASE("Linear layers equal the plain loops bit for bit for any batch") {
@@ -136,7 +134,7 @@ TEST_CASE("Linear layers equal the plain loops bit for bit for any batch") {
         const auto weights = random_floats(random, static_cast<std::size_t>(out) * in);
         const auto bias = random_floats(random, static_cast<std::size_t>(out));
         INFO("round " << round << ": " << out << "×" << in << ", batch " << input.batch());
-        check_everywhere(Linear(out, in, weights, bias), input, reference::linear(input, out, weights, bias));
+        check_everywhere(Linear(out, in, weights, bias), input, naive::linear(input, out, weights, bias));
     }
 }
 
@@ -148,7 +146,7 @@ TEST_CASE("Negative zero survives in the same places in fast and plain convoluti
     for (float& value : image) value = random.chance(0.5) ? 0.0f : -0.0f;
     ConvolutionOptions options;
     options.padding = 2;
-    check_everywhere(Convolution(filters, options), image, reference::convolution(image, filters, options));
+    check_everywhere(Convolution(filters, options), image, naive::convolution(image, filters, options));
 }
 
 TEST_CASE("A folded normalisation equals convolution followed by normalisation") {
@@ -160,8 +158,8 @@ TEST_CASE("A folded normalisation equals convolution followed by normalisation")
     norm.mean = random_floats(random, 5);
     for (int i = 0; i < 5; ++i) norm.variance.push_back(static_cast<float>(random.uniform(0.1, 2)));
     const Tensor image = random_tensor(random, 1, 3, 8, 8);
-    const Tensor plain = reference::convolution(image, filters, {});
-    const Tensor folded = reference::convolution(image, fold(filters, norm), {});
+    const Tensor plain = naive::convolution(image, filters, {});
+    const Tensor folded = naive::convolution(image, fold(filters, norm), {});
     for (int c = 0; c < 5; ++c)
         for (std::size_t i = 0; i < plain.plane_size(); ++i) {
             const double expected = (plain.plane(0, c)[i] - norm.mean[c]) /

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
+// The layers without weights against their definitions.
 #include <catch2/catch.hpp>
 
-#include <atomic>
 #include <cmath>
-#include <stdexcept>
 
-#include "network/reference.hpp"
+#include "network/naive_layers.hpp"
 #include "pantin/error.hpp"
 #include "support/tensors.hpp"
 
@@ -34,7 +33,7 @@ TEST_CASE("Bilinear resizing equals its definition bit for bit") {
         const Tensor image = random_tensor(random, 1, 2, from_height, from_width);
         const int height = random.integer(1, 30), width = random.integer(1, 30);
         INFO(image.height() << "×" << image.width() << " to " << height << "×" << width);
-        const Tensor expected = reference::resize_bilinear(image, height, width);
+        const Tensor expected = naive::resize_bilinear(image, height, width);
         CHECK(resize_bilinear(image, height, width, Runtime(1)) == expected);
         CHECK(resize_bilinear(image, height, width, Runtime(3)) == expected);
     }
@@ -89,26 +88,6 @@ TEST_CASE("Joining and adding keep every plane in its place") {
     relu(positive);
     CHECK(sum == positive);
     CHECK(*std::min_element(sum.begin(), sum.end()) >= 0);
-}
-
-TEST_CASE("A parallel loop visits every index once and rethrows a task's exception") {
-    for (const int threads : {1, 2, 5}) {
-        const Runtime runtime(threads);
-        CHECK(runtime.threads() == threads);
-        for (int round = 0; round < 50; ++round) {
-            std::vector<std::atomic<int>> visits(37);
-            runtime.parallel_for(37, [&](int i) { ++visits[i]; });
-            for (const auto& count : visits) CHECK(count == 1);
-        }
-        CHECK_THROWS_AS(runtime.parallel_for(10,
-                                             [](int i) {
-                                                 if (i == 3) throw std::runtime_error("three");
-                                             }),
-                        std::runtime_error);
-        std::atomic<int> after{0};
-        runtime.parallel_for(5, [&](int) { ++after; });
-        CHECK(after == 5);
-    }
 }
 
 } // namespace pantin::network

@@ -18,6 +18,12 @@ std::map<std::string, std::string> values_of(const Options& options) {
     return {list.begin(), list.end()};
 }
 
+// Another value of the same type, for switches and for numbers that may be 0 and 1.
+std::string another(const std::string& value) {
+    if (value == "true" || value == "false") return value == "true" ? "false" : "true";
+    return value == "1" ? "0" : "1";
+}
+
 std::string config_error(const std::string& json) {
     const TemporaryFolder folder;
     write(folder / "config.json", json);
@@ -60,6 +66,27 @@ TEST_CASE("What list_options prints is a configuration", "[pipeline]") {
     Options options;
     apply_config(options, folder / "config.json");
     CHECK(list_options(options) == list_options(thesis));
+}
+
+TEST_CASE("The former name of an option is taken for the new one, and not listed", "[pipeline]") {
+    const auto defaults = values_of(Options{});
+    CHECK_FALSE(renamed_options().empty());
+    for (const auto& [former, name] : renamed_options()) {
+        CAPTURE(former, name);
+        REQUIRE(defaults.contains(std::string(name)));
+        CHECK_FALSE(defaults.contains(std::string(former)));
+        const std::string value = another(defaults.at(std::string(name)));
+        const std::string quoted = '"' + std::string(former) + "\":" + value;
+        Options options;
+        apply_config_text(options, "{" + quoted + "}", "test");
+        auto expected = defaults;
+        expected[std::string(name)] = value;
+        CHECK(values_of(options) == expected);
+        CHECK(config_error("{" + quoted + ",\"" + std::string(name) + "\":" + value + "}") ==
+              std::string(former) + ": is given twice, also as '" + std::string(name) + "'");
+    }
+    CHECK(config_error(R"({"segmentation": {"sure_enough": "very"}})") ==
+          "segmentation.sure_enough: must be a number");
 }
 
 TEST_CASE("A wrong configuration is an error that names the file and the option", "[pipeline]") {

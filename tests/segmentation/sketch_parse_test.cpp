@@ -5,7 +5,7 @@
 
 #include "compare_torch/trace.hpp"
 #include "core/file.hpp"
-#include "segmentation/sketch_parse/model.hpp"
+#include "segmentation/sketch_parse/sketch_parse.hpp"
 #include "support/tensors.hpp"
 #include "support/weight_files.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Several looks at a drawing, on the small network with random weights.
+// Several views of a drawing, on the small network with random weights.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -15,10 +15,10 @@ using network::largest_difference;
 
 namespace {
 
-const Network& tiny_network() {
+const SegmentationNetwork& tiny_network() {
     static const std::vector<unsigned char> bytes = read_file("testdata/segmenter_tiny.safetensors");
-    static const Network network = load_network(WeightFile(bytes, "tiny"));
-    return network;
+    static const auto network = load_segmentation_network(WeightFile(bytes, "tiny"));
+    return *network;
 }
 
 // A thick bar of ink that lies askew in the square.
@@ -33,16 +33,17 @@ Tensor bar(int side) {
 
 } // namespace
 
-TEST_CASE("A drawing and its mirror image get mirrored answers when both are looked at") {
-    const Network& net = tiny_network();
+TEST_CASE("A drawing and its mirror image get mirrored answers when both are viewed") {
+    const SegmentationNetwork& net = tiny_network();
     Random random(5);
     Tensor ink(1, 1, net.input, net.input);
     for (float& value : ink) value = static_cast<float>(random.uniform());
     const Tensor image = network::mirrored(ink);
     CHECK(same_bits(network::mirrored(image), ink));
     CHECK(image(0, 0, 3, 1) == ink(0, 0, 3, net.input - 2));
-    const Looks both{true, 0, 30};
-    const NetworkResult one = look(net, ink, both, Runtime()), other = look(net, image, both, Runtime());
+    const ViewOptions both{true, 0, 30};
+    const NetworkResult one = segment_views(net, ink, both, Runtime()),
+                        other = segment_views(net, image, both, Runtime());
     CHECK(one.expert == other.expert);
     CHECK(largest_difference(network::mirrored(one.parts), other.parts) < 1e-6);
     CHECK(one.pose(0, 0, 0, 0) == Approx(other.pose(0, 4, 0, 0))); // E and W
@@ -51,10 +52,10 @@ TEST_CASE("A drawing and its mirror image get mirrored answers when both are loo
     CHECK(largest_difference(net.forward(ink, Runtime(), one.expert).parts, one.parts) > 1e-3);
 }
 
-TEST_CASE("One look is the network's own answer") {
-    const Network& net = tiny_network();
+TEST_CASE("One view is the network's own answer") {
+    const SegmentationNetwork& net = tiny_network();
     const Tensor ink = bar(net.input);
-    const NetworkResult one = look(net, ink, {}, Runtime()), plain = net.forward(ink, Runtime());
+    const NetworkResult one = segment_views(net, ink, {}, Runtime()), plain = net.forward(ink, Runtime());
     CHECK(one.expert == plain.expert);
     CHECK(same_bits(one.parts, plain.parts));
     CHECK(same_bits(one.router, plain.router));
@@ -92,20 +93,21 @@ TEST_CASE("A tilted drawing fills the square, and straightening brings it back")
     }
 }
 
-TEST_CASE("Paper without ink is not tilted") {
+TEST_CASE("A page without ink is not tilted") {
     const Tilt tilt = tilt_of(Tensor(1, 1, 16, 16), 20);
     CHECK(tilt.cosine == 1);
     CHECK(tilt.sine == 0);
     CHECK(tilt.shift_x == 0);
 }
 
-TEST_CASE("The looks' bits depend neither on threads nor on the instruction set") {
-    const Network& net = tiny_network();
-    const Looks looks{true, 20, 30};
-    const NetworkResult first = look(net, bar(net.input), looks, Runtime(1, network::Simd::baseline));
+TEST_CASE("The views' bits depend neither on threads nor on the instruction set") {
+    const SegmentationNetwork& net = tiny_network();
+    const ViewOptions options{true, 20, 30};
+    const NetworkResult first =
+        segment_views(net, bar(net.input), options, Runtime(1, network::Simd::baseline));
     for (const network::Simd simd : network::all_simd) {
         if (!network::simd_supported(simd)) continue;
-        const NetworkResult result = look(net, bar(net.input), looks, Runtime(3, simd));
+        const NetworkResult result = segment_views(net, bar(net.input), options, Runtime(3, simd));
         CHECK(same_bits(result.parts, first.parts));
         CHECK(same_bits(result.pose, first.pose));
     }

@@ -23,6 +23,23 @@ inline std::vector<unsigned char> with_text(std::vector<unsigned char> bytes, co
     return bytes;
 }
 
+// The same in the header with a text of any length; the header's length follows.
+inline std::vector<unsigned char> with_header(const std::vector<unsigned char>& bytes,
+                                              const std::string& from, const std::string& to) {
+    std::size_t length = 0;
+    for (int i = 7; i >= 0; --i) length = length << 8 | bytes[static_cast<std::size_t>(i)];
+    const auto data = bytes.begin() + 8 + static_cast<std::ptrdiff_t>(length);
+    std::string header(bytes.begin() + 8, data);
+    const std::size_t found = header.find(from);
+    REQUIRE(found != std::string::npos);
+    header.replace(found, from.size(), to);
+    std::vector<unsigned char> changed;
+    for (int i = 0; i < 8; ++i) changed.push_back(static_cast<unsigned char>(header.size() >> (8 * i)));
+    changed.insert(changed.end(), header.begin(), header.end());
+    changed.insert(changed.end(), data, bytes.end());
+    return changed;
+}
+
 // The message of the Error(weights) that `load` throws; "" when it throws none.
 inline std::string failure_of(const std::function<void()>& load) {
     try {

@@ -5,7 +5,7 @@
 
 #include "bench.hpp"
 #include "core/random.hpp"
-#include "network/reference.hpp"
+#include "network/naive_layers.hpp"
 #include "pantin/network.hpp"
 
 namespace pantin::bench {
@@ -55,7 +55,7 @@ void bench_kernel(int rounds) {
     options.padding = 1;
     const network::Convolution convolution(filters, options);
     std::vector<Contender> contenders = {
-        {"plain loops", [&] { network::reference::convolution(input, filters, options); }}};
+        {"plain loops", [&] { network::naive::convolution(input, filters, options); }}};
     for (const network::Simd simd : network::all_simd) {
         if (!network::simd_supported(simd)) continue;
         contenders.push_back({std::string(network::name_of(simd)),

@@ -7,8 +7,9 @@
 namespace pantin::bench {
 
 void bench_segmenter(int rounds) {
-    const segmentation::Network net = segmentation::load_network(
+    const auto loaded = segmentation::load_segmentation_network(
         network::WeightFile(find_resource("weights/segmenter.safetensors"), "weights/segmenter.safetensors"));
+    const segmentation::SegmentationNetwork& net = *loaded;
     const network::Tensor ink(1, 1, net.input, net.input, 0.5f);
     const network::Runtime one(1), two(2);
     compare("segmentation network, forward",
@@ -16,11 +17,11 @@ void bench_segmenter(int rounds) {
              {"two threads", [&] { net.forward(ink, two); }},
              {"one thread, six views",
               [&] {
-                  segmentation::look(net, ink, {true, 20, 30}, one);
+                  segmentation::segment_views(net, ink, {true, 20, 30}, one);
               }},
              {"two threads, six views",
               [&] {
-                  segmentation::look(net, ink, {true, 20, 30}, two);
+                  segmentation::segment_views(net, ink, {true, 20, 30}, two);
               }}},
             5 * rounds);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SketchParse, each module fed with what PyTorch's module got.
-#include "segmentation/sketch_parse/model.hpp"
+#include "segmentation/sketch_parse/sketch_parse.hpp"
 
 #include "compare_torch/trace.hpp"
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A tensor of PyTorch's trace against ours: largest absolute and relative difference.
 #include "compare_torch/trace.hpp"
 
 #include <algorithm>

@@ -67,8 +67,8 @@ std::string time_table(const std::string& testdata) {
         "Milliseconds, medians of " + std::to_string(rounds) + " runs, one thread (" +
         std::to_string(std::thread::hardware_concurrency()) + " vCPU " + processor + ", network kernel " +
         std::string(network::name_of(network::best_simd())) +
-        ").\nThe segmenter uses one view of a drawing where its confidence is high, else six. The "
-        "thesis: Python and PyTorch on an Apple M2\n"
+        ").\nThe segmenter takes one view of a drawing where its confidence suffices, else six. "
+        "The thesis: Python and PyTorch on an Apple M2\n"
         "with eight cores, 640×480 pages, means over its 50 drawings.\n\n"
         "| drawing | detection | segmentation | skeletonization | identification | rigging | "
         "sum |\n|---|---|---|---|---|---|---|\n";

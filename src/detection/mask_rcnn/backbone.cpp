@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Residual network and feature pyramid.
-#include "detection/mask_rcnn/model.hpp"
+#include "detection/mask_rcnn/mask_rcnn.hpp"
 
 namespace pantin::mask_rcnn {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "detection/mask_rcnn/model.hpp"
+#include "detection/mask_rcnn/mask_rcnn.hpp"
 
 namespace pantin::mask_rcnn {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "detection/mask_rcnn/model.hpp"
+#include "detection/mask_rcnn/mask_rcnn.hpp"
 
 namespace pantin::mask_rcnn {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "pantin/network.hpp"
 
-namespace pantin::network::reference {
+namespace pantin::network::naive {
 
 Tensor convolution(const Tensor& input, const Filters& filters, const ConvolutionOptions& options);
 Tensor transposed_convolution(const Tensor& input, const Filters& filters, const ConvolutionOptions& options);
@@ -14,4 +14,4 @@ Tensor linear(const Tensor& input, int out, const std::vector<float>& weights,
               const std::vector<float>& bias);
 Tensor resize_bilinear(const Tensor& input, int height, int width);
 
-} // namespace pantin::network::reference
+} // namespace pantin::network::naive

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "network/reference.hpp"
+// Each layer by its definition in PyTorch's documentation, one loop an index: the oracle of the tests.
+#include "network/naive_layers.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace pantin::network::reference {
+namespace pantin::network::naive {
 namespace {
 
 float pixel_or_zero(const Tensor& image, int n, int c, int y, int x) {
@@ -110,4 +111,4 @@ Tensor resize_bilinear(const Tensor& input, int height, int width) {
     return result;
 }
 
-} // namespace pantin::network::reference
+} // namespace pantin::network::naive

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "detection/rooms.hpp"
+// Open outlines, their enclosed regions and silhouettes.
+#include "detection/enclosed_regions.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "canvas.hpp"
-#include "detection/silhouette.hpp"
+#include "detection/ink_silhouette.hpp"
 #include "pantin/image.hpp"
 
 using namespace pantin;
@@ -28,7 +29,7 @@ Mask disc_mask(int width, int height, Point2d centre, double radius) {
 
 } // namespace
 
-TEST_CASE("A circle is a room with and without a gap in it") {
+TEST_CASE("A circle encloses its inside with and without a gap in it") {
     for (double gap : {0.0, 3.0, 10.0, 30.0, 60.0}) {
         INFO("gap of " << gap << " degrees");
         Canvas canvas(160, 160);
@@ -38,7 +39,8 @@ TEST_CASE("A circle is a room with and without a gap in it") {
     }
     Canvas half(160, 160);
     half.arc({80, 80}, 60, 60, 0, 180);
-    CHECK(count(find_rooms(ink_of(half))) == 0); // half a circle is no room: its mouth is its widest place
+    CHECK(count(find_enclosed_regions(ink_of(half))) ==
+          0); // half a circle encloses nothing: its mouth is its widest place
 }
 
 TEST_CASE("Several gaps are closed as well as one") {
@@ -132,18 +134,18 @@ TEST_CASE("A silhouette is one piece without holes and contains all ink") {
     }
 }
 
-TEST_CASE("Rooms of degenerate ink are empty") {
-    CHECK(count(find_rooms(Mask(20, 20))) == 0);
+TEST_CASE("Degenerate ink encloses nothing") {
+    CHECK(count(find_enclosed_regions(Mask(20, 20))) == 0);
     CHECK(count(silhouette_of(Mask(20, 20))) == 0);
-    CHECK(count(find_rooms(Mask(20, 20, 1))) == 0);
+    CHECK(count(find_enclosed_regions(Mask(20, 20, 1))) == 0);
     CHECK(silhouette_of(Mask(20, 20, 1)) == Mask(20, 20, 1));
     Mask dot(20, 20);
     dot(10, 10) = 1;
-    CHECK(count(find_rooms(dot)) == 0);
+    CHECK(count(find_enclosed_regions(dot)) == 0);
     CHECK(silhouette_of(dot)(10, 10) == 1);
     Mask row(40, 5);
     for (int x = 3; x < 37; ++x) row(x, 2) = 1; // all points on one line: no triangle
-    CHECK(count(find_rooms(row)) == 0);
+    CHECK(count(find_enclosed_regions(row)) == 0);
 }
 
 TEST_CASE("A silhouette does not depend on where on the page the ink is") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The network against PyTorch, on a small one with random weights (tools/train/export.py --fixture).
+// The compact network against PyTorch, on a small one with random weights (tools/train/export.py --fixture).
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -8,13 +8,15 @@
 #include "core/random.hpp"
 #include "pantin/error.hpp"
 #include "pantin/segmentation.hpp"
-#include "segmentation/model.hpp"
+#include "segmentation/compact/compact_network.hpp"
 #include "support/tensors.hpp"
 #include "support/weight_files.hpp"
 
-namespace pantin::segmentation {
+namespace pantin::compact {
 
 using network::largest_difference;
+using segmentation::NetworkResult;
+using segmentation::SegmentationNetwork;
 
 namespace {
 
@@ -24,7 +26,10 @@ const Bytes& weights() {
     static const Bytes bytes = read_file("testdata/segmenter_tiny.safetensors");
     return bytes;
 }
-Network tiny_network() { return load_network(WeightFile(weights(), "tiny")); }
+const SegmentationNetwork& tiny_network() {
+    static const auto network = load_network(WeightFile(weights(), "tiny"));
+    return *network;
+}
 
 Tensor tensor_of(const WeightFile& file, const std::string& name) {
     const auto shape = file.shape(name);
@@ -35,7 +40,6 @@ Tensor tensor_of(const WeightFile& file, const std::string& name) {
     return tensor;
 }
 
-// Largest difference, relative to the larger of the value and one hundredth.
 Bytes with_header_text(const std::string& from, const std::string& to) {
     return with_text(weights(), from, to);
 }
@@ -49,7 +53,7 @@ std::string failure(const Bytes& bytes) {
 TEST_CASE("The segmentation network computes what PyTorch computes") {
     const Bytes bytes = read_file("testdata/segmenter_tiny_expected.safetensors");
     const WeightFile expected(bytes, "expected");
-    const Network net = tiny_network();
+    const SegmentationNetwork& net = tiny_network();
     const Tensor ink = tensor_of(expected, "input");
     REQUIRE(ink.width() == net.input);
     for (std::size_t expert = 0; expert < net.expert_names.size(); ++expert) {
@@ -62,7 +66,7 @@ TEST_CASE("The segmentation network computes what PyTorch computes") {
 }
 
 TEST_CASE("The network's bits depend neither on threads nor on the instruction set") {
-    const Network net = tiny_network();
+    const SegmentationNetwork& net = tiny_network();
     Random random(2);
     Tensor ink(1, 1, net.input, net.input);
     for (float& value : ink) value = static_cast<float>(random.uniform());
@@ -80,7 +84,7 @@ TEST_CASE("The network's bits depend neither on threads nor on the instruction s
 }
 
 TEST_CASE("The router chooses the more probable expert") {
-    const Network net = tiny_network();
+    const SegmentationNetwork& net = tiny_network();
     const NetworkResult result = net.forward(Tensor(1, 1, net.input, net.input), Runtime());
     REQUIRE(result.router.channels() == 2);
     CHECK(result.expert == (result.router(0, 1, 0, 0) > result.router(0, 0, 0, 0) ? 1 : 0));
@@ -90,7 +94,8 @@ TEST_CASE("The router chooses the more probable expert") {
 TEST_CASE("A weight file for another network is refused with the fact") {
     CHECK(failure(weights()).empty());
     CHECK(failure(with_header_text("pantin.segmenter", "pantin.detector!")) ==
-          "w: metadata 'model' is 'pantin.detector!', not 'pantin.segmenter'");
+          "w: metadata 'model' is 'pantin.detector!', which is no segmentation network (pantin.segmenter, "
+          "pantin.sketch_parse)");
     CHECK(failure(with_header_text("head,body", "body,head")) ==
           "w: metadata 'labels' is 'background,body,head,limb,tail,wing', not "
           "'background,head,body,limb,tail,wing'");
@@ -107,4 +112,4 @@ TEST_CASE("A weight file for another network is refused with the fact") {
     CHECK(failure({}) == "w: the weight file is empty");
 }
 
-} // namespace pantin::segmentation
+} // namespace pantin::compact

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From the detector's mask and the network's foreground to the silhouette. Ours: neither the thesis nor
 // SketchParse combines the two.
-#include "segmentation/silhouette.hpp"
+#include "segmentation/final_silhouette.hpp"
 
 #include <algorithm>
 #include <cmath>

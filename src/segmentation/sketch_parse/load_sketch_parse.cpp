@@ -3,7 +3,7 @@
 // layer4_5_r<expert>, layer5_r<expert>.conv2d_list.<i>, pose_r<expert>.PoseC1.<0|2|4>,
 // pose_r<expert>.PoseC2.0; our addition: router.
 #include "network/layer_reader.hpp"
-#include "segmentation/sketch_parse/model.hpp"
+#include "segmentation/sketch_parse/sketch_parse.hpp"
 
 namespace pantin::sketch_parse {
 namespace {

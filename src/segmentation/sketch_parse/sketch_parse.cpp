@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "segmentation/sketch_parse/model.hpp"
+// An image through SketchParse's scales, router, expert and pose head (sources: sketch_parse.hpp).
+#include "segmentation/sketch_parse/sketch_parse.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,28 +40,26 @@ Tensor PoseHead::forward(const Tensor& scores, const Runtime& runtime) const {
     return linear.forward(x, runtime);
 }
 
-Result Network::forward(const Tensor& image, const Runtime& runtime, int expert) const {
-    Result result;
-    Tensor shared = scales[0].trunk.forward(image, runtime);
+Shared Network::encode(const Tensor& image, const Runtime& runtime) const {
+    Shared shared;
+    for (std::size_t s = 0; s < scales.size(); ++s)
+        shared.scales.push_back(scales[s].trunk.forward(
+            s == 0 ? image
+                   : network::resize_corners(image, scaled_size(image.height(), shares[s]),
+                                             scaled_size(image.width(), shares[s])),
+            runtime));
     if (router)
-        result.router =
-            network::softmax(router->forward(network::global_average_pool(shared), runtime), runtime);
-    else if (expert < 0)
-        throw Error(ErrorKind::weights,
-                    "sketch-parse: the weights have no router, so the expert must be named");
-    result.expert = expert;
-    if (expert < 0)
-        result.expert = static_cast<int>(std::max_element(result.router.begin(), result.router.end()) -
-                                         result.router.begin());
+        shared.router = network::softmax(
+            router->forward(network::global_average_pool(shared.scales[0]), runtime), runtime);
+    return shared;
+}
 
-    const auto chosen = static_cast<std::size_t>(result.expert);
+Result Network::decode(const Shared& shared, int expert, const Runtime& runtime) const {
+    Result result;
+    result.expert = expert;
+    const auto chosen = static_cast<std::size_t>(expert);
     for (std::size_t s = 0; s < scales.size(); ++s) {
-        if (s > 0)
-            shared =
-                scales[s].trunk.forward(network::resize_corners(image, scaled_size(image.height(), shares[s]),
-                                                                scaled_size(image.width(), shares[s])),
-                                        runtime);
-        Tensor scores = scales[s].experts[chosen].forward(shared, runtime);
+        Tensor scores = scales[s].experts[chosen].forward(shared.scales[s], runtime);
         if (s > 0) scores = network::resize_corners(scores, result.scores.height(), result.scores.width());
         result.scales.push_back(scores);
         if (s == 0)
@@ -69,6 +68,19 @@ Result Network::forward(const Tensor& image, const Runtime& runtime, int expert)
             take_maximum(result.scores, scores);
     }
     if (!pose.empty()) result.pose = pose[chosen].forward(result.scores, runtime);
+    return result;
+}
+
+Result Network::forward(const Tensor& image, const Runtime& runtime, int expert) const {
+    Shared shared = encode(image, runtime);
+    if (expert < 0 && !router)
+        throw Error(ErrorKind::weights,
+                    "sketch-parse: the weights have no router, so the expert must be named");
+    if (expert < 0)
+        expert = static_cast<int>(std::max_element(shared.router.begin(), shared.router.end()) -
+                                  shared.router.begin());
+    Result result = decode(shared, expert, runtime);
+    result.router = std::move(shared.router);
     return result;
 }
 

@@ -5,8 +5,9 @@
 #include <algorithm>
 
 #include "pantin/image.hpp"
+#include "segmentation/final_silhouette.hpp"
 #include "segmentation/letterbox.hpp"
-#include "segmentation/silhouette.hpp"
+#include "segmentation/part_labels.hpp"
 
 namespace pantin::segmentation {
 namespace {

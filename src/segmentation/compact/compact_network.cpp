@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "segmentation/model.hpp"
+// A square of ink through the compact network: router, pose and parts (sources: compact_network.hpp).
+#include "segmentation/compact/compact_network.hpp"
 
-#include <algorithm>
-
-namespace pantin::segmentation {
-
-int most_probable(const Tensor& router) {
-    return static_cast<int>(std::max_element(router.begin(), router.end()) - router.begin());
-}
+namespace pantin::compact {
 
 Features Stem::forward(const Tensor& ink, const Runtime& runtime) const {
     Features features;
@@ -43,15 +38,27 @@ Tensor Expert::forward(const Features& features, const Runtime& runtime) const {
     return network::softmax(logits.forward(x, runtime), runtime);
 }
 
-NetworkResult Network::forward(const Tensor& ink, const Runtime& runtime, int expert) const {
-    NetworkResult result;
-    const Features features = stem.forward(ink, runtime);
-    result.router = router->forward(features, runtime);
-    result.pose = pose->forward(features, runtime);
-    result.expert = expert;
-    if (expert < 0) result.expert = most_probable(result.router);
-    result.parts = experts[static_cast<std::size_t>(result.expert)].forward(features, runtime);
-    return result;
+namespace {
+
+// The stem's stages; the expert decodes them.
+struct Encoded : segmentation::EncodedInput {
+    const Network& network;
+    Features features;
+
+    Encoded(const Network& net, Features stages, const Runtime& runtime)
+        : network(net), features(std::move(stages)) {
+        router = network.router->forward(features, runtime);
+    }
+    segmentation::Answer decode(int expert, const Runtime& runtime) const override {
+        return {network.pose->forward(features, runtime),
+                network.experts[static_cast<std::size_t>(expert)].forward(features, runtime)};
+    }
+};
+
+} // namespace
+
+std::unique_ptr<segmentation::EncodedInput> Network::encode(const Tensor& ink, const Runtime& runtime) const {
+    return std::make_unique<Encoded>(*this, stem.forward(ink, runtime), runtime);
 }
 
-} // namespace pantin::segmentation
+} // namespace pantin::compact

@@ -1,50 +1,23 @@
 // SPDX-License-Identifier: MIT
-// From the weight file to the network's modules.
-#include <charconv>
-
+// From the weight file (docs/formats.md) to the compact network's modules.
 #include "network/layer_reader.hpp"
+#include "network/metadata.hpp"
 #include "pantin/label.hpp"
 #include "pantin/segmentation.hpp"
-#include "segmentation/model.hpp"
+#include "segmentation/compact/compact_network.hpp"
 
-namespace pantin::segmentation {
+namespace pantin::compact {
 namespace {
+
+using network::parse_number;
+using network::read_numbers;
+using network::split;
 
 constexpr std::size_t stages = 4;
 constexpr int max_width = 4096; // channels of a layer
 constexpr int max_input = 2048; // side of the input
 constexpr int max_blocks = 64;  // of a stage, and their dilations
 constexpr int halvings = 1 << stages;
-
-std::vector<std::string> split(const std::string& text) {
-    std::vector<std::string> items;
-    std::size_t begin = 0;
-    for (std::size_t comma = text.find(','); comma != std::string::npos; comma = text.find(',', begin)) {
-        items.push_back(text.substr(begin, comma - begin));
-        begin = comma + 1;
-    }
-    items.push_back(text.substr(begin));
-    return items;
-}
-
-int read_number(const WeightFile& file, const std::string& key, const std::string& text, int min, int max) {
-    int value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || value < min || value > max)
-        file.fail("metadata '" + key + "' has the impossible value '" + text + "'");
-    return value;
-}
-
-// count 0: any.
-std::vector<int> read_numbers(const WeightFile& file, const std::string& key, int min, int max,
-                              std::size_t count) {
-    const std::vector<std::string> items = split(file.metadata(key));
-    if (count != 0 && items.size() != count)
-        file.fail("metadata '" + key + "' needs " + std::to_string(count) + " numbers");
-    std::vector<int> values;
-    for (const std::string& item : items) values.push_back(read_number(file, key, item, min, max));
-    return values;
-}
 
 template <class Names> std::string joined(const Names& names) {
     std::string text;
@@ -131,8 +104,7 @@ Expert read_expert(const WeightFile& file, const std::string& name, const Layout
 
 } // namespace
 
-Network load_network(const WeightFile& file) {
-    expect(file, "model", "pantin.segmenter");
+std::unique_ptr<segmentation::SegmentationNetwork> load_network(const WeightFile& file) {
     expect(file, "version", "2");
     expect(file, "labels", joined(label_names));
     expect(file, "poses", joined(pose_names));
@@ -141,11 +113,12 @@ Network load_network(const WeightFile& file) {
                         read_numbers(file, "contexts", 1, max_blocks, 0),
                         read_numbers(file, "refine", 0, max_blocks, stages - 1)};
 
-    Network net;
-    net.input = read_number(file, "input", file.metadata("input"), 1, max_input);
+    auto loaded = std::make_unique<Network>();
+    Network& net = *loaded;
+    net.input = parse_number(file, "input", file.metadata("input"), 1, max_input);
     if (net.input % halvings != 0)
         file.fail("metadata 'input' is no multiple of " + std::to_string(halvings));
-    net.expert_names = split(file.metadata("experts"));
+    net.expert_names = split(file.metadata("experts"), ',');
     int in = 1;
     for (std::size_t i = 0; i < stages; ++i) {
         const int out = layout.widths[i];
@@ -156,13 +129,13 @@ Network load_network(const WeightFile& file) {
         in = out;
     }
     const int experts = static_cast<int>(net.expert_names.size());
-    net.router = std::make_unique<Router>(Router{read_linear(file, "router.linear", 2 * in, experts)});
-    net.pose = std::make_unique<PoseHead>(
+    net.router.emplace(Router{read_linear(file, "router.linear", 2 * in, experts)});
+    net.pose.emplace(
         PoseHead{{read_convolution(file, "pose.conv", {.in = in, .out = layout.decoder[0], .stride = 2})},
                  read_linear(file, "pose.linear", layout.decoder[0], static_cast<int>(pose_names.size()))});
     for (const std::string& name : net.expert_names)
         net.experts.push_back(read_expert(file, "experts." + name, layout));
-    return net;
+    return loaded;
 }
 
-} // namespace pantin::segmentation
+} // namespace pantin::compact

@@ -49,8 +49,14 @@ struct PoseHead {
     Tensor forward(const Tensor& scores, const Runtime& runtime) const; // logits [8]
 };
 
+// What the experts share of an image.
+struct Shared {
+    std::vector<Tensor> scales; // features of each scale, [2048, 41, 41] for the first
+    Tensor router;              // probabilities of the experts; empty without a router
+};
+
 struct Result {
-    Tensor router; // probabilities of the experts; empty without a router
+    Tensor router; // as above
     int expert = 0;
     std::vector<Tensor> scales; // scores of each scale, resized to those of the first
     Tensor scores;              // their element-wise maximum
@@ -62,8 +68,11 @@ struct Network {
     std::optional<network::Linear> router; // on the mean of the shared features of the first scale
     std::vector<PoseHead> pose;            // one per expert
 
-    // image: [3, height, width], blue, green, red with their means subtracted, as the authors feed it.
-    // expert −1: the router decides (Error(weights) without one).
+    // image: [3, height, width], grey values 0 … 255 three times, as the authors feed a sketch.
+    Shared encode(const Tensor& image, const Runtime& runtime) const;
+    // But for the router's probabilities. Error(weights) when the pose head does not fit the scores' size.
+    Result decode(const Shared& shared, int expert, const Runtime& runtime) const;
+    // Both. expert −1: the router decides (Error(weights) without one).
     Result forward(const Tensor& image, const Runtime& runtime, int expert = -1) const;
 };
 

@@ -2,7 +2,7 @@
 // From the weight file to the network's modules. Tensor names are those of torchvision's state dictionary.
 #include <charconv>
 
-#include "detection/mask_rcnn/model.hpp"
+#include "detection/mask_rcnn/mask_rcnn.hpp"
 #include "network/layer_reader.hpp"
 
 namespace pantin::mask_rcnn {

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The segmentation network: a two-level network in the manner of SketchParse (Sarvadevabhatla et al. 2017,
-// thesis Fig. 4.8): a stem shared by all drawings, a router that chooses one of several experts, an expert
-// that labels the parts, and a head that estimates the direction in which the character faces. Where it
-// departs from the paper: the stem is four small residual stages (He et al. 2016) instead of a ResNet-101,
+// The compact segmentation network: a two-level network in the manner of SketchParse (Sarvadevabhatla et al.
+// 2017, thesis Fig. 4.8): a stem shared by all drawings, a router that chooses one of several experts, an
+// expert that labels the parts, and a head that estimates the direction in which the character faces. Where
+// it departs from theirs: the stem is four small residual stages (He et al. 2016) instead of a ResNet-101,
 // and the expert is a decoder with skip connections (Ronneberger et al. 2015), so that thin limbs survive.
 //
 // One struct per module; `forward` follows the figure. Widths come from the weight file's metadata, tensor
 // names are the module names. Shapes in comments are for the input of 256×256 and the widths 20, 40, 80, 112.
 #pragma once
 
-#include <array>
 #include <memory>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "network/residual.hpp"
-#include "pantin/network.hpp"
+#include "segmentation/segmentation_network.hpp"
 
-namespace pantin::segmentation {
+namespace pantin::compact {
 
 using network::ResidualBlock;
 using network::Runtime;
@@ -46,9 +45,6 @@ struct Router {
     Tensor forward(const Features& features, const Runtime& runtime) const; // probabilities, [experts, 1, 1]
 };
 
-// The expert; the first among equals.
-int most_probable(const Tensor& router);
-
 struct PoseHead {
     Block conv;                                                             // 112 → 64, 8×8
     network::Linear linear;                                                 // 64 → 8
@@ -67,25 +63,17 @@ struct Expert {
     Tensor forward(const Features& features, const Runtime& runtime) const; // probabilities
 };
 
-struct NetworkResult {
-    Tensor router, pose, parts; // probabilities
-    int expert = 0;             // the most probable one; the first among equals
-    double sureness = 0;        // of several looks (views.hpp)
-};
-
-struct Network {
-    int input = 0; // side of the square input
-    std::vector<std::string> expert_names;
+struct Network : segmentation::SegmentationNetwork {
     Stem stem;
-    std::unique_ptr<Router> router;
-    std::unique_ptr<PoseHead> pose;
+    std::optional<Router> router;
+    std::optional<PoseHead> pose;
     std::vector<Expert> experts;
 
-    // ink: [1, 1, input, input], 0 paper, 1 ink. expert −1: the router decides.
-    NetworkResult forward(const Tensor& ink, const Runtime& runtime, int expert = -1) const;
+    std::unique_ptr<segmentation::EncodedInput> encode(const Tensor& ink,
+                                                       const Runtime& runtime) const override;
 };
 
-// Throws Error(weights) naming the file and the fact.
-Network load_network(const WeightFile& file);
+// Error(weights) naming the file and the fact.
+std::unique_ptr<segmentation::SegmentationNetwork> load_network(const WeightFile& file);
 
-} // namespace pantin::segmentation
+} // namespace pantin::compact

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Rooms: background regions that open outlines enclose.
+// Background regions that outlines enclose, with gaps or without: the ink's border pixels in, a mask out.
 //
 // Closing the ink with a disc and filling asks which background the disc cannot reach from outside. The
 // Delaunay triangulation of the ink's border pixels answers it for all radii at once: a triangle is passed
 // through its edges, and the widest disc that passes an edge has half its length. Triangles flow towards
 // wider ones (an obtuse triangle through its longest edge, an acute one is a sink), which makes basins, each
 // the surroundings of a local maximum of the distance to ink, its inradius; basins meet at edges. Seen from
-// wide to narrow edges, a basin, or several that have met, is a room when the edge through which it meets the
-// outside, its mouth, is narrow compared with its inradius. The space between two legs is as wide at its
+// wide to narrow edges, a basin, or several that have met, is enclosed when the edge through which it meets
+// the outside, its mouth, is narrow compared with its inradius. The space between two legs is as wide at its
 // mouth as anywhere, ratio 1, and stays outside at every radius; a body whose outline has a gap does not. The
 // cut is the straight edge between the two stroke ends; nothing is dilated. Where the way out is a corridor
 // (a leg without a foot), the cut is moved to its outer end.
@@ -16,7 +16,7 @@
 // macromolecules. Discrete Applied Mathematics 88, 1998 (flow on Delaunay triangles, pockets and their
 // mouths). It takes the place of the closing with growing radii that thesis 4.2 hints at ("dilating the input
 // … only allows to close small holes").
-#include "detection/rooms.hpp"
+#include "detection/enclosed_regions.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -121,16 +121,17 @@ Basins make_basins(const std::vector<Point2i>& points, const Delaunay& mesh) {
     return basins;
 }
 
-// --- basins to rooms ---------------------------------------------------------------------------------------
+// --- basins to enclosed regions ----------------------------------------------------------------------------
 
-class RoomFinder {
+class RegionFinder {
 public:
-    RoomFinder(const Basins& basins, const RoomOptions& options, double hull_area, double diagonal)
+    RegionFinder(const Basins& basins, const EnclosedRegionOptions& options, double hull_area,
+                 double diagonal)
         : basins_(basins), options_(options), hull_area_(hull_area),
           widest_(2 * options.max_mouth * diagonal), sets_(basins.area.size()),
-          squared_inradius_(basins.squared_inradius), area_(basins.area), room_(basins.area.size(), 0) {}
+          squared_inradius_(basins.squared_inradius), area_(basins.area), enclosed_(basins.area.size(), 0) {}
 
-    // Which basins are outside once every room is cut off at its mouths.
+    // Which basins are outside once every enclosed region is cut off at its mouths.
     std::vector<char> outside() {
         for (const Saddle& saddle : basins_.saddles) meet(saddle);
         std::vector<char> outside(basins_.area.size());
@@ -140,7 +141,7 @@ public:
     }
 
 private:
-    bool is_room(int set, int squared_mouth) const {
+    bool is_enclosed(int set, int squared_mouth) const {
         if (squared_mouth > widest_ * widest_) return false;
         const double share = std::min(1.0, area_[set] / (options_.large_share * hull_area_));
         const double ratio = options_.small_ratio + share * (options_.large_ratio - options_.small_ratio);
@@ -152,20 +153,20 @@ private:
         if (a == b) return;
         const int low = std::min(a, b), high = std::max(a, b);
         if (low == 0) {
-            if (room_[high]) return; // another mouth of the room, narrower than the first
-            if (is_room(high, saddle.squared)) {
-                room_[high] = 1;
+            if (enclosed_[high]) return; // another mouth of the region, narrower than the first
+            if (is_enclosed(high, saddle.squared)) {
+                enclosed_[high] = 1;
                 return;
             }
         }
         sets_.unite(low, high);
         squared_inradius_[low] = std::max(squared_inradius_[low], squared_inradius_[high]);
         area_[low] += area_[high];
-        room_[low] |= room_[high];
+        enclosed_[low] |= enclosed_[high];
     }
 
     // Moves each cut to the outer end of its corridor: an outside basin that is hardly wider than the mouth
-    // through which it meets a room belongs to the room. Repeated until nothing changes.
+    // through which it meets an enclosed region belongs to it. Repeated until nothing changes.
     void extend_along_corridors(std::vector<char>& outside) const {
         for (bool changed = true; changed;) {
             changed = false;
@@ -181,11 +182,11 @@ private:
     }
 
     const Basins& basins_;
-    const RoomOptions& options_;
+    const EnclosedRegionOptions& options_;
     double hull_area_, widest_;
     DisjointSets sets_;
     std::vector<double> squared_inradius_, area_; // of the sets
-    std::vector<char> room_;
+    std::vector<char> enclosed_;
 };
 
 // Sets the pixels inside or on the border of a triangle.
@@ -212,20 +213,21 @@ double box_diagonal(const std::vector<Point2i>& points) {
 
 } // namespace
 
-Mask find_rooms(const Mask& ink, const RoomOptions& options) {
-    Mask rooms(ink.width(), ink.height());
+Mask find_enclosed_regions(const Mask& ink, const EnclosedRegionOptions& options) {
+    Mask regions(ink.width(), ink.height());
     const std::vector<Point2i> points = border_pixels(ink);
     const Delaunay mesh = delaunay(points);
-    if (mesh.triangles.empty()) return rooms;
+    if (mesh.triangles.empty()) return regions;
     const Basins basins = make_basins(points, mesh);
     const double hull_area = std::accumulate(basins.area.begin(), basins.area.end(), 0.0);
-    const std::vector<char> outside = RoomFinder(basins, options, hull_area, box_diagonal(points)).outside();
+    const std::vector<char> outside =
+        RegionFinder(basins, options, hull_area, box_diagonal(points)).outside();
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto& [a, b, c] = mesh.triangles[t];
-        if (!outside[basins.of_triangle[t]]) fill_triangle(rooms, points[a], points[b], points[c]);
+        if (!outside[basins.of_triangle[t]]) fill_triangle(regions, points[a], points[b], points[c]);
     }
-    for (std::size_t i = 0; i < rooms.size(); ++i) rooms.data()[i] &= ink.data()[i] ^ 1;
-    return rooms;
+    for (std::size_t i = 0; i < regions.size(); ++i) regions.data()[i] &= ink.data()[i] ^ 1;
+    return regions;
 }
 
 } // namespace pantin

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// A page to the channels that the weights were trained on, through Mask R-CNN, and its boxes back to the
+// page. The thesis (4.2) feeds colours; ink darkness is ours.
+#include "detection/mask_rcnn/mask_rcnn_detector.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "detection/mask_rcnn/mask_rcnn.hpp"
+#include "pantin/image.hpp"
+
+namespace pantin::mask_rcnn {
+namespace {
+
+// What the network sees: ink darkness, or red, green and blue in [0, 1]. Large pages are averaged down first;
+// the network's own resizing would skip thin lines.
+network::Tensor input_of(const RgbImage& page, const TransformOptions& options) {
+    const int longer = std::max(page.width(), page.height());
+    const auto side = [&](int pixels) {
+        const double share = std::min(1.0, static_cast<double>(options.longer) / longer);
+        return std::max(1, static_cast<int>(std::floor(pixels * share + 0.5)));
+    };
+    const int width = side(page.width()), height = side(page.height());
+    const auto reduced = [&](const Grid<float>& image) {
+        return longer > options.longer ? resize(image, width, height) : image;
+    };
+    network::Tensor input(1, static_cast<int>(options.mean.size()), height, width);
+    if (input.channels() == 1) {
+        const Grid<float> ink = reduced(ink_darkness(page));
+        std::copy(ink.begin(), ink.end(), input.begin());
+        return input;
+    }
+    constexpr std::uint8_t Rgb8::*colours[] = {&Rgb8::r, &Rgb8::g, &Rgb8::b};
+    for (int c = 0; c < 3; ++c) {
+        Grid<float> plane(page.width(), page.height());
+        std::transform(page.begin(), page.end(), plane.begin(),
+                       [&](const Rgb8& pixel) { return static_cast<float>(pixel.*colours[c]) / 255; });
+        const Grid<float> small = reduced(plane);
+        std::copy(small.begin(), small.end(), input.plane(0, c));
+    }
+    return input;
+}
+
+class Detector : public detection::DetectionNetwork {
+public:
+    explicit Detector(Network network) : network_(std::move(network)) {}
+
+    std::vector<CharacterFinder::Found> find(const RgbImage& page, const Runtime& runtime) const override {
+        const Tensor image = input_of(page, network_.options.transform);
+        const double x = static_cast<double>(page.width()) / image.width(),
+                     y = static_cast<double>(page.height()) / image.height();
+        std::vector<CharacterFinder::Found> found;
+        for (const Detection& d : network_.forward(image, runtime)) {
+            Grid<float> mask(d.mask.width(), d.mask.height());
+            std::copy(d.mask.begin(), d.mask.end(), mask.begin());
+            found.push_back(
+                {d.score, d.box.left * x, d.box.top * y, d.box.right * x, d.box.bottom * y, mask});
+        }
+        return found;
+    }
+
+private:
+    Network network_;
+};
+
+} // namespace
+
+std::unique_ptr<detection::DetectionNetwork> load_detection_network(const WeightFile& file) {
+    Network network = load_network(file);
+    const std::size_t channels = network.options.transform.mean.size();
+    if (channels != 1 && channels != 3) file.fail("the network sees neither ink darkness nor three colours");
+    return std::make_unique<Detector>(std::move(network));
+}
+
+} // namespace pantin::mask_rcnn
