@@ -21,11 +21,15 @@ struct LabelledGraph {
     std::vector<Label> labels;
     std::vector<std::pair<int, int>> edges;
 };
-LabelledGraph to_labelled_graph(const SkeletonGraph& graph); // positions in pixels
+// Vertices and edges in the graph's order, positions in pixels. No errors. Thesis 4.5.
+LabelledGraph to_labelled_graph(const SkeletonGraph& graph);
+// Nodes and edges in the reference's order, positions in [0, 1]. No errors. Thesis 4.5.
 LabelledGraph to_labelled_graph(const ReferenceSkeleton& reference);
-// Per axis to [0, 1] by the bounding box of the vertices (ERRATA 11).
+// Positions per axis to [0, 1] by the bounding box of the vertices; a side of no length goes to 1/2. No
+// errors. Thesis 4.5 (ERRATA 11).
 LabelledGraph normalised(const LabelledGraph& graph);
-LabelledGraph mirrored(const LabelledGraph& graph); // x → 1 − x
+// x → 1 − x, for positions in [0, 1]. No errors. Own: a drawing may face either way.
+LabelledGraph mirrored(const LabelledGraph& graph);
 
 struct GgdOptions {
     double k_v = 1, k_e = 1, k_l = 5; // thesis ch. 5
@@ -40,22 +44,30 @@ struct GgdResult {
     bool optimal = true;
 };
 // Our exact branch and bound; canonical: the lexicographically smallest matching within 1e-9 of the optimum.
+// Positions of both graphs in [0, 1], the distance in the same unit. No errors; where the search is cut off,
+// `optimal` is false. Cheong et al. 2009; thesis Eq. 4.3 to 4.7.
 GgdResult geometric_graph_distance(const LabelledGraph& a, const LabelledGraph& b,
                                    const GgdOptions& options = {});
-// Cost of a given matching (Eq. 4.7).
+// Cost of a matching, pairs of (vertex of a, vertex of b); unit as above. Error(internal) when a vertex
+// stands in two pairs or is none of its graph. Thesis Eq. 4.7.
 double matching_cost(const LabelledGraph& a, const LabelledGraph& b,
                      const std::vector<std::pair<int, int>>& pairs, const GgdOptions& options = {});
-// What it is the sum of.
+// What it is the sum of: the costs (a) to (d) of thesis 4.5.
 struct GgdTerms {
     double places = 0, labels = 0;   // of matched vertices: K_v · distance, K_l · label distance
     double lengths = 0;              // K_e · difference of the lengths of matched edges
     double edges_a = 0, edges_b = 0; // K_e · length of the edges without a partner
 };
+// For pairs as above, with the same errors. Thesis 4.5, Eq. 4.7.
 GgdTerms matching_terms(const LabelledGraph& a, const LabelledGraph& b,
                         const std::vector<std::pair<int, int>>& pairs, const GgdOptions& options = {});
 
 enum class IlpFormulation { literal, tightened }; // Eq. 4.6 as printed, or as in ERRATA 12
-bool ilp_available();                             // built with GLPK
+// Whether the program was built with GLPK. No errors. Own.
+bool ilp_available();
+// The same distance by the integer linear program of the thesis, solved by GLPK; arguments and unit as of
+// geometric_graph_distance. Error(usage) without GLPK, Error(internal) when it finds no optimum. Thesis
+// Eq. 4.3 to 4.7 (ERRATA 12).
 GgdResult geometric_graph_distance_ilp(const LabelledGraph& a, const LabelledGraph& b,
                                        const GgdOptions& options, IlpFormulation formulation);
 
@@ -94,6 +106,7 @@ struct Identification {
     std::vector<Candidate> candidates; // from best to worst
 };
 
+// Step 4 (thesis 4.5, ERRATA 8 to 13). `labels` has the size of the graph, 0 outside the silhouette.
 // Throws CharacterRejected("identify", …) for what cannot move: a skeleton without an edge, more than 24 ends
 // (a scribble), one label only, or neither an end nor 2 % of the silhouette that is limb, wing or tail, and
 // no head that ends a body of 15 % (a head alone). Error(input) when `options.reference` is none of the

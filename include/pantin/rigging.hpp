@@ -23,18 +23,23 @@ struct PathSamples {
         radii;         // DT(p) / mean DT over the mask, at M points of equal arc length (Eq. 4.8, ERRATA 14)
     double length = 0; // of the path; in pixels, or divided by the mean DT (ERRATA 15)
 };
-double path_distance(const PathSamples& a, const PathSamples& b, double alpha); // Eq. 4.9
+// Σ (r − r')² / (r + r') + α (l − l')² / (l + l'), no unit; of as many samples as both have. No errors.
+// Thesis Eq. 4.9; Bai & Latecki 2008.
+double path_distance(const PathSamples& a, const PathSamples& b, double alpha);
 
 enum class OsbForm { icdm2007, printed }; // Eq. 4.12, ERRATA 17
 struct OsbResult {
     double cost = 0;
     std::vector<std::pair<int, int>> path; // matched (row, column), both ascending; may be empty
 };
-// costs[i][j], rectangular; jump cost κ of Eq. 4.13 unless given (≥ 0).
+// The cheapest order-preserving matching of some rows with some columns of costs[i][j]; the cost in their
+// unit, κ for a skipped row: that of Eq. 4.13 unless given (≥ 0). Error(internal) when the costs are not
+// rectangular. Latecki et al. 2007; thesis Eq. 4.12, 4.13 (ERRATA 17).
 OsbResult optimal_subsequence_bijection(const std::vector<std::vector<double>>& costs,
                                         OsbForm form = OsbForm::icdm2007, double jump_cost = -1);
-// Minimum-cost assignment; costs are finite and may be rectangular. Result[i] = column of row i, −1 when
-// unassigned (the shorter side is assigned completely).
+// Minimum-cost assignment of costs[row][column]; rows and columns need not be as many. Result[i] = column of
+// row i, −1 when unassigned (the shorter side is assigned completely). Error(internal) when the costs are not
+// rectangular or not finite. Kuhn 1955, Jonker & Volgenant 1987; thesis Eq. 4.14 (ERRATA 18).
 std::vector<int> hungarian(const std::vector<std::vector<double>>& costs);
 
 // The path similarity alone is weak on parts: tails meet the right part 23 % of the time (ERRATA 19). With
@@ -42,11 +47,11 @@ std::vector<int> hungarian(const std::vector<std::vector<double>>& costs);
 //     path_weight · c / mean c + position_weight · d² + trunk_weight · t² +
 //     label_penalty · [other label] − prior_weight · [matched],
 // c the similarity cost of the thesis, d the distance of the two ends, each in the bounding box of its own
-// figure, t in the box of the body (as far as 0.75 of it outside), and `matched` when identification matched
-// the two. A pair of different labels is allowed only where it makes sense (a limb for a tail or a wing, a
-// wing for a limb of a reference without wings, a body end for the head) and d ≤ mixed_reach; every other one
-// costs `unmatched_cost` and is dropped after the assignment. Pairs of one label are then put into cyclic
-// order, so that no two limbs cross.
+// figure, t in the box of the body (places farther outside than 0.75 of its sides are clamped), and `matched`
+// when identification matched the two. A pair of different labels is allowed only where it makes sense (a
+// limb for a tail or a wing, a wing for a limb of a reference without wings, a body end for the head) and d ≤
+// mixed_reach; every other one costs `unmatched_cost` and is dropped after the assignment. Pairs of one label
+// are then put into cyclic order, so that no two limbs cross.
 struct MappingOptions {
     int samples = 50;              // M
     double alpha = 0.1;            // thesis 4.6
@@ -85,6 +90,7 @@ struct Mapping {
     std::vector<std::vector<EndComparison>> comparisons; // [ends][reference_ends]
 };
 // `labels` has the size of the graph; `match` is the candidate that identification chose for `reference`.
+// Pairs may be none; no errors. Thesis 4.6, Algorithms 4.2 and 4.3, Eq. 4.8 to 4.14 (ERRATA 14 to 19).
 Mapping map_end_effectors(const SkeletonGraph& graph, const LabelMap& labels,
                           const ReferenceSkeleton& reference, const Candidate& match,
                           const MappingOptions& options = {});
@@ -114,21 +120,25 @@ struct MeshOptions {
 // Marching squares quad mesh (thesis 4.6, Fig. 4.17; Maple 2003) of the silhouette grown by `options.margin`
 // (negative: 0). Voxel corners lie at multiples of the cell. Every vertex is shared, no two lie at one place,
 // every edge has one or two faces. With `cell` 0 the cell starts at side/64 and shrinks until the mesh has as
-// many pieces as the grown silhouette and all its holes of more than four voxels (or the cell is 2).
+// many pieces as the grown silhouette and all its holes of more than four voxels (or the cell is 2). Vertices
+// in pixels of the silhouette. No errors; an empty silhouette gives an empty mesh.
 Mesh marching_squares(const Mask& silhouette, const MeshOptions& options);
 
 // The Voronoi regions of the border's pixels inside the silhouette (thesis 4.6, Fig. 4.18(b)) grown by
 // `margin` pixels (negative: 0), each cut into a fan of triangles about its site. Borders run 1/4 pixel
 // inside the pixels' outer sides. Vertices and edges are shared as above; pieces and holes are those of the
 // grown silhouette. About four vertices and six faces a border pixel, long and thin: such a mesh tears where
-// weights differ, which is why it is not the default.
+// weights differ, which is why it is not the default. Vertices in pixels of the silhouette. No errors; an
+// empty silhouette gives an empty mesh.
 Mesh voronoi_mesh(const Mask& silhouette, double margin = 0);
 
-// The mesh by the method of the options.
+// The mesh of one of the two, by the method of the options; vertices in pixels of the silhouette. No errors.
+// Thesis 4.6.
 Mesh make_mesh(const Mask& silhouette, const MeshOptions& options);
 
 // Half of a pen's stroke may lie outside a silhouette whose border runs along the stroke's middle. Mesh and
-// texture reach this many working pixels beyond it: 1.2 % of the longer side, at least 2.
+// texture reach this many working pixels beyond it: 1.2 % of the longer side of a crop of width × height
+// pixels, at least 2. No errors. Own.
 double ink_margin(int width, int height);
 
 // --- bones and weights --------------------------------------------------------------------------------
@@ -167,10 +177,13 @@ struct Rig {
     std::vector<Rgb8> colours; // per mesh vertex, of a solid that no drawing is projected on; else empty
     bool solid = false; // a closed surface in 3D (modeling), which is lit; else a flat drawing, which is not
 };
-// Throws CharacterRejected("rig", …) when no end-effector can be mapped.
+// Step 5 as a whole (thesis 4.6): mapping, mesh, bones, weights. `labels` has the size of the graph; the rig
+// is in its pixels. Throws CharacterRejected("rig", …) when no end-effector can be mapped or the silhouette
+// is empty; Error(input) when the identified reference is none of the references.
 Rig rig(const SkeletonGraph& graph, const LabelMap& labels, const Identification& identification,
         const std::vector<ReferenceSkeleton>& references, const RigOptions& options = {});
-// The same for a given mapping (mapping.json, corrected by hand).
+// The same for a given mapping (mapping.json, corrected by hand). `mirrored`: the reference left for right.
+// Throws CharacterRejected as above. Thesis 4.6, Algorithm 4.4 with `thesis_weights`; else own.
 Rig rig_with_mapping(const SkeletonGraph& graph, const LabelMap& labels, const ReferenceSkeleton& reference,
                      bool mirrored, const Mapping& mapping, const RigOptions& options = {});
 

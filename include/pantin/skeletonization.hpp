@@ -53,6 +53,8 @@ struct SkeletonVertex {
     bool end = false; // end-effector (degree 1), else junction
     bool operator==(const SkeletonVertex&) const = default;
 };
+// In pixels of the working crop. No errors. Own.
+inline Point2d position_of(const SkeletonVertex& v) { return {v.x, v.y}; }
 struct SkeletonEdge {
     int u = 0, v = 0;            // u < v
     double length = 0;           // sum of the steps of `pixels`
@@ -82,24 +84,37 @@ struct Skeletonization {
     SkeletonGraph raw, after_h1, graph; // `graph`: after H1 and H2
 };
 
-// `labels`: working size, any sides; ≠ 0 is the silhouette, of which the largest component counts. The
-// skeleton is homotopic to the mask before cycles are cut, so it is connected. A silhouette with neither end
-// nor junction (a ring) gives a triangle. Throws CharacterRejected("skeletonize", …) when the silhouette is
-// empty, its borders have more than 100,000 points, or the skeleton shrinks to a single point after H1 and H2
-// (a disc, a head alone).
+// Step 3 as a whole (thesis 4.4). `labels`: working size, any sides; ≠ 0 is the silhouette, of which the
+// largest component counts. The skeleton is homotopic to the mask before cycles are cut, so it is connected.
+// A silhouette with neither end nor junction (a ring) gives a triangle. Throws
+// CharacterRejected("skeletonize", …) when the silhouette is empty, its borders have more than 100,000
+// points, or the skeleton shrinks to a single point after H1 and H2 (a disc, a head alone).
 Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions& options = {});
 
-// The sub-steps, each usable alone.
+// --- the sub-steps, each usable alone; masks and label maps of one size ------------------------------------
+
 struct Thinning {
     Mask thinned;
     Grid<std::uint16_t> removed_in; // sub-iteration, 1, 2, …; odd ones test C_c and C_d, even ones C_c' and
                                     // C_d'; 0: kept, or background
 };
-Thinning zhang_suen_steps(const Mask& mask);        // Algorithm 4.1, with ERRATA 5
-Mask zhang_suen(const Mask& mask);                  // its result alone
-Mask remove_redundant_pixels(const Mask& skeleton); // ERRATA 6
+// Thinning of a mask, outside of which is background. No errors. Zhang & Suen 1984, as Algorithm 4.1 of the
+// thesis with ERRATA 5.
+Thinning zhang_suen_steps(const Mask& mask);
+// Its result alone, of the mask's size. No errors. Algorithm 4.1.
+Mask zhang_suen(const Mask& mask);
+// The skeleton without the pixels of staircases that thinning leaves and that connect nothing, of its size.
+// No errors. Own (ERRATA 6).
+Mask remove_redundant_pixels(const Mask& skeleton);
+// The graph of a skeleton that is one pixel wide: vertices in the order of junctions, ends and loops, each in
+// raster order; edges by (u, v). A vertex has the label of its pixel. Lengths in pixels. No errors; an empty
+// skeleton gives an empty graph. Thesis 4.4.
 SkeletonGraph extract_graph(const Mask& skeleton, const LabelMap& labels);
+// The graph without ends in head and body, where C_1 to C_3 hold, again and again. No errors. Thesis 4.4, H1,
+// Fig. 4.11 (ERRATA 7).
 SkeletonGraph apply_h1(const SkeletonGraph& graph);
+// The graph with vertices of one label closer than `merge_distance` (pixels) made one in the middle of both,
+// the closest pair first. No errors. Thesis 4.4, H2, Eq. 4.1 and 4.2, Fig. 4.12 (ERRATA 7).
 SkeletonGraph apply_h2(const SkeletonGraph& graph, double merge_distance);
 
 } // namespace pantin

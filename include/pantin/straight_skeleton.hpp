@@ -35,6 +35,7 @@ struct StraightSkeleton {
 // left or an area of zero, or a coordinate is not a number. Time: about n log n for n corners, by an index of
 // the moving edges; more, up to about n^1.5, for thousands of needle-thin spikes, and n² where a good part of
 // all corners meets at one place, as in regular stars. Loops that cross get a result in several attempts.
+// Places and times in the unit of the loops. Felkel & Obdržálek 1998; Ma et al. 2021, Algorithm 3.
 StraightSkeleton straight_skeleton(const std::vector<std::vector<Point2d>>& loops);
 
 } // namespace pantin

@@ -20,7 +20,8 @@ struct Triangulation {
 // The constrained Delaunay triangulation of the inside of loops (a border and its holes, simple, disjoint, in
 // any orientation), |coordinate| < 2^22: every edge of a loop is one of its edges, or several when a corner
 // lies on it, and no corner that is seen from inside a triangle lies in its circle (Chew 1989). Equal corners
-// are one. Points keep the order of the loops' corners. Error(input) when nothing is inside.
+// are one. Points keep the order of the loops' corners. Error(input) when nothing is inside. Sloan 1993;
+// Prasad 1997 builds the chordal axis on it.
 Triangulation constrained_delaunay(const std::vector<std::vector<Point2i>>& loops);
 
 struct TriangleQuality {
@@ -33,7 +34,8 @@ struct TriangleQuality {
 };
 // Delaunay refinement (Ruppert 1995): circumcentres of bad triangles are inserted, edges of the border that
 // they lie beyond or encroach upon are halved. New points are rounded to whole coordinates, so that every
-// predicate stays exact; the border moves by less than one unit.
+// predicate stays exact; the border moves by less than one unit. Lengths in units of the coordinates. No
+// errors; it stops at `most_points`, where bad triangles may be left.
 Triangulation refined(const Triangulation& triangulation, const TriangleQuality& quality);
 
 } // namespace pantin

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "core/reference_scale.hpp"
 #include "explain/markup.hpp"
 #include "pipeline/animated_page.hpp"
 
@@ -19,7 +20,7 @@ struct CharacterStory {
 
     int width() const { return character.mask.width(); } // working size
     int height() const { return character.mask.height(); }
-    double line() const { return std::max(width(), height()) / 321.0; } // width of a thin line
+    double line() const { return reference_scale(width(), height()); } // width of a thin line
     std::string drawing() const { return id + "-drawing"; }
     std::string element(const std::string& name) const { return id + "-" + name; }
 };

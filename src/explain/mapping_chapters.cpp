@@ -7,7 +7,8 @@
 #include "explain/chapters.hpp"
 #include "explain/palette.hpp"
 #include "explain/svg.hpp"
-#include "rigging/skeleton_paths.hpp"
+#include "rigging/path_distance.hpp"
+#include "rigging/reference_shape.hpp"
 
 namespace pantin {
 
@@ -17,8 +18,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr int way_points = 40; // of a path that is drawn
 constexpr double chart_width = 360, chart_height = 150;
-constexpr double reference_side =
-    321; // of the picture in which a reference is drawn (rigging/skeleton_paths.hpp)
 
 std::string letter(std::size_t i) {
     return i < 26 ? std::string(1, static_cast<char>('A' + i)) : "Z" + std::to_string(i - 25);

@@ -228,7 +228,7 @@ Values graph_chapter(const CharacterStory& story) {
     return {{"pictures", shown(s.raw, "Raw") + shown(s.after_h1, "After H1") + shown(s.graph, "After H2")},
             {"rows", rows},
             {"epsilon",
-             decimal(options_of(story).merge_distance * std::max(s.mask.width(), s.mask.height()) / 321)}};
+             decimal(options_of(story).merge_distance * reference_scale(s.mask.width(), s.mask.height()))}};
 }
 
 } // namespace pantin

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// In come moving edges, out goes a binary tree of boxes around them that move and grow (S. Šaltenis et al.:
+// Indexing the positions of continuously moving objects, 2000), halved where the edges' middles spread most.
 #include "geometry/edge_index.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact signs of determinants of integer points.
+// Exact signs of determinants of integer points (Guibas & Stolfi 1985, CCW and InCircle), in 64 or 128 bits.
 #include "pantin/geometry.hpp"
 
 #include <algorithm>

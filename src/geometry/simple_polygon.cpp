@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ma et al. 2021, section 3.1, "Simple polygon acquisition".
+// Ma et al. 2021, section 3.1, "Simple polygon acquisition": a stroke in, a polygon that does not cross
+// itself out.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// In come triangles with their neighbours; flips and splits keep the links and, as far as fixed edges let
+// them, the Delaunay property (C. L. Lawson: Software for C¹ surface interpolation, 1977).
 #include "geometry/triangle_links.hpp"
 
 #include <algorithm>

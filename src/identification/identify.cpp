@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Step 4: which reference skeleton the character moves like (thesis 4.5; readings in ERRATA 8–13).
+// Step 4: which reference skeleton the character moves like (thesis 4.5; readings in ERRATA 8–13). In come
+// the skeleton graph, the labels and the references; out go the candidates, each with its distance and score.
 #include <algorithm>
 #include <cmath>
 
@@ -169,6 +170,10 @@ void score(Candidate& candidate, const ReferenceSkeleton& reference, const Trait
     for (const auto& [name, contribution] : candidate.evidence) candidate.score += contribution;
 }
 
+bool with_evidence(const IdentificationOptions& options) {
+    return options.use_evidence && !options.thesis_score;
+}
+
 bool stands_alone(const ReferenceSkeleton& reference) { return reference.like.empty(); }
 
 bool needs_met(const ReferenceSkeleton& reference, const SkeletonGraph& graph, const Traits& traits) {
@@ -179,17 +184,17 @@ bool needs_met(const ReferenceSkeleton& reference, const SkeletonGraph& graph, c
 }
 
 // The candidate that the reference is like; the best one for "any". Null when there is none.
-const Candidate* model_of(const ReferenceSkeleton& reference, const std::vector<Candidate>& standing) {
-    if (reference.like == "any") return &standing.front();
-    const auto found = std::find_if(standing.begin(), standing.end(),
+const Candidate* model_of(const ReferenceSkeleton& reference, const std::vector<Candidate>& independent) {
+    if (reference.like == "any") return &independent.front();
+    const auto found = std::find_if(independent.begin(), independent.end(),
                                     [&](const Candidate& c) { return c.reference == reference.like; });
-    return found == standing.end() ? nullptr : &*found;
+    return found == independent.end() ? nullptr : &*found;
 }
 
 // exp(−score) / Σ exp(−score): the posterior of the fitted model under equal priors.
-double confidence_of(const Candidate& model, const std::vector<Candidate>& standing) {
+double confidence_of(const Candidate& model, const std::vector<Candidate>& independent) {
     double sum = 0;
-    for (const Candidate& c : standing) sum += math::exp(model.score - c.score);
+    for (const Candidate& c : independent) sum += math::exp(model.score - c.score);
     return 1 / sum;
 }
 
@@ -205,6 +210,50 @@ const ReferenceSkeleton& named(const std::vector<ReferenceSkeleton>& references,
     return *found;
 }
 
+// The references that stand on their own, by their scores.
+std::vector<Candidate> independent_candidates(const LabelledGraph& drawn, const Traits& traits,
+                                              const std::vector<ReferenceSkeleton>& references,
+                                              const IdentificationOptions& options) {
+    std::vector<Candidate> candidates;
+    for (const ReferenceSkeleton& reference : references) {
+        if (!stands_alone(reference)) continue;
+        candidates.push_back(compare(drawn, reference, options));
+        score(candidates.back(), reference, traits, options);
+    }
+    if (candidates.empty()) throw Error(ErrorKind::input, "every reference skeleton is like another one");
+    sort_by_score(candidates);
+    return candidates;
+}
+
+// A reference that is like another one: with evidence it has that one's, and goes before it.
+Candidate dependent_candidate(const LabelledGraph& drawn, const Traits& traits,
+                              const ReferenceSkeleton& reference, const Candidate& model,
+                              const IdentificationOptions& options) {
+    Candidate candidate = compare(drawn, reference, options);
+    score(candidate, reference, traits, options);
+    if (with_evidence(options)) {
+        candidate.evidence = model.evidence;
+        candidate.evidence.emplace_back("special", -special_bonus);
+        candidate.score = model.score - special_bonus;
+    }
+    return candidate;
+}
+
+// Type and confidence of the reference that was chosen.
+void describe(Identification& result, const ReferenceSkeleton& chosen,
+              const std::vector<Candidate>& independent) {
+    if (stands_alone(chosen)) {
+        result.type = has_evidence(chosen.name) ? chosen.name : type_of(chosen);
+        const auto own = std::find_if(independent.begin(), independent.end(),
+                                      [&](auto& c) { return c.reference == chosen.name; });
+        result.confidence = confidence_of(*own, independent);
+    } else {
+        result.type = chosen.like == "any" ? chosen.name : chosen.like;
+        const Candidate* model = model_of(chosen, independent);
+        result.confidence = model ? confidence_of(*model, independent) : 0;
+    }
+}
+
 } // namespace
 
 Identification identify(const SkeletonGraph& graph, const LabelMap& labels,
@@ -214,43 +263,21 @@ Identification identify(const SkeletonGraph& graph, const LabelMap& labels,
     reject_what_cannot_move(graph, labels);
     const LabelledGraph drawn = normalised(to_labelled_graph(graph));
     const Traits traits = measure_traits(graph, labels);
-    std::vector<Candidate> standing;
-    for (const ReferenceSkeleton& reference : references) {
-        if (!stands_alone(reference)) continue;
-        standing.push_back(compare(drawn, reference, options));
-        score(standing.back(), reference, traits, options);
-    }
-    if (standing.empty()) throw Error(ErrorKind::input, "every reference skeleton is like another one");
-    sort_by_score(standing);
+    // The references that stand on their own …
+    const std::vector<Candidate> independent = independent_candidates(drawn, traits, references, options);
     Identification result;
-    result.candidates = standing;
-    const bool with_evidence = options.use_evidence && !options.thesis_score;
+    result.candidates = independent;
+    // … and those that are like one of them, where their needs are met or they are asked for.
     for (const ReferenceSkeleton& reference : references) {
-        const Candidate* model = stands_alone(reference) ? nullptr : model_of(reference, standing);
+        const Candidate* model = stands_alone(reference) ? nullptr : model_of(reference, independent);
         const bool wanted = reference.name == options.reference;
-        if (!model || !(wanted || (with_evidence && needs_met(reference, graph, traits)))) continue;
-        Candidate candidate = compare(drawn, reference, options);
-        score(candidate, reference, traits, options);
-        if (with_evidence) {
-            candidate.evidence = model->evidence;
-            candidate.evidence.emplace_back("special", -special_bonus);
-            candidate.score = model->score - special_bonus;
-        }
-        result.candidates.push_back(std::move(candidate));
+        if (model && (wanted || (with_evidence(options) && needs_met(reference, graph, traits))))
+            result.candidates.push_back(dependent_candidate(drawn, traits, reference, *model, options));
     }
     sort_by_score(result.candidates);
+    // The best one, unless the options decide.
     result.reference = options.reference.empty() ? result.candidates.front().reference : options.reference;
-    const ReferenceSkeleton& chosen = named(references, result.reference);
-    if (stands_alone(chosen)) {
-        result.type = has_evidence(chosen.name) ? chosen.name : type_of(chosen);
-        const auto own = std::find_if(standing.begin(), standing.end(),
-                                      [&](auto& c) { return c.reference == chosen.name; });
-        result.confidence = confidence_of(*own, standing);
-    } else {
-        result.type = chosen.like == "any" ? chosen.name : chosen.like;
-        const Candidate* model = model_of(chosen, standing);
-        result.confidence = model ? confidence_of(*model, standing) : 0;
-    }
+    describe(result, named(references, result.reference), independent);
     return result;
 }
 

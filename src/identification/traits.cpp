@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Traits of a labelled drawing (ERRATA 10): presence, number and place of parts.
+// Traits of a labelled drawing (ERRATA 10): labels and skeleton graph in, presence, number and place of parts
+// out. Our own.
 #include "identification/traits.hpp"
 
 #include <algorithm>
 
-#include "pantin/image.hpp"
+#include "image/label_map.hpp"
 
 namespace pantin {
 namespace {
@@ -57,29 +58,21 @@ double at(int count, int most) { return static_cast<double>(std::min(count, most
 } // namespace
 
 PartRegion part_region(const LabelMap& labels, LabelSet parts) {
-    Mask mask(labels.width(), labels.height());
-    for (int y = 0; y < labels.height(); ++y)
-        for (int x = 0; x < labels.width(); ++x)
-            mask(x, y) = parts.contains(static_cast<Label>(labels(x, y)));
-    const Components components = connected_components(mask);
     const double smallest = speck_share * silhouette_area(labels);
-    std::vector<Point2d> sums(components.list.size());
-    for (int y = 0; y < mask.height(); ++y)
-        for (int x = 0; x < mask.width(); ++x)
-            if (mask(x, y))
-                sums[components.ids(x, y) - 1] = sums[components.ids(x, y) - 1] + to_double({x, y});
     PartRegion region;
     Point2d total;
-    for (const Component& piece : components.list) {
-        if (piece.area < smallest) continue;
+    for (const LabelPiece& piece : pieces_of(part_mask(labels, parts))) {
+        if (piece.area() < smallest) continue;
         const Box& b = piece.box;
         region.x0 = region.empty() ? b.x : std::min(region.x0, b.x);
         region.y0 = region.empty() ? b.y : std::min(region.y0, b.y);
         region.x1 = std::max(region.x1, b.x + b.width - 1);
         region.y1 = std::max(region.y1, b.y + b.height - 1);
-        region.area += piece.area;
-        region.centres.push_back((1.0 / piece.area) * sums[piece.id - 1]);
-        total = total + sums[piece.id - 1];
+        region.area += piece.area();
+        Point2d sum;
+        for (const Point2i p : piece.pixels) sum = sum + to_double(p);
+        region.centres.push_back((1.0 / piece.area()) * sum);
+        total = total + sum;
     }
     if (!region.empty()) region.centre = (1 / region.area) * total;
     return region;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/reference_scale.hpp"
 #include "modeling/chains.hpp"
 #include "pantin/model_view.hpp"
 
@@ -17,7 +18,7 @@ constexpr int drawing_scale = 2;        // pixels of the drawing to one of the l
 constexpr double shortest_limb =
     0.1; // of the picture's diagonal: shorter branches (eyes, toes) are no end-effectors
 constexpr double merge_distance =
-    5.0 / 321; // of the longer side: junctions so close become one, as in skeletonization
+    5.0 / reference_side; // of the longer side: junctions so close become one, as in skeletonization
 constexpr Rgb8 paper{255, 255, 255};
 
 // Which part is seen at each pixel, and how near.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "image/label_map.hpp"
 #include "pantin/error.hpp"
 #include "pantin/geometry.hpp"
 #include "pantin/image.hpp"
@@ -25,28 +26,17 @@ constexpr double least_share = 0.002; // of the silhouette: smaller pieces are l
 constexpr int smoothing = 2;          // border pixels to each side whose mean is a point of the stroke
 constexpr double least_reach = 2;     // pixels that a part extends into its neighbour
 
-struct Piece {
-    Label label;
-    Mask mask;
-    double left = 0;
-    long area = 0;
-};
-
-// Pieces of a label, from left to right.
-std::vector<Piece> pieces_of(const LabelMap& labels, Label label, long least_area) {
-    Mask mask(labels.width(), labels.height());
-    std::transform(labels.begin(), labels.end(), mask.begin(),
-                   [&](auto value) { return value == static_cast<int>(label); });
-    const Components components = connected_components(mask);
-    std::vector<Piece> pieces;
-    for (std::size_t c = 0; c < components.list.size(); ++c) {
-        if (components.list[c].area < least_area) continue;
-        pieces.push_back({label, component_mask(components, static_cast<int>(c) + 1),
-                          static_cast<double>(components.list[c].box.x), components.list[c].area});
-    }
+// Pieces of a label as masks of the map's size, from left to right.
+std::vector<Mask> piece_masks(const LabelMap& labels, Label label, long least_area) {
+    std::vector<LabelPiece> pieces = pieces_of(part_mask(labels, {label}), static_cast<int>(least_area));
     std::stable_sort(pieces.begin(), pieces.end(),
-                     [](const Piece& a, const Piece& b) { return a.left < b.left; });
-    return pieces;
+                     [](const LabelPiece& a, const LabelPiece& b) { return a.box.x < b.box.x; });
+    std::vector<Mask> masks;
+    for (const LabelPiece& piece : pieces) {
+        Mask& mask = masks.emplace_back(labels.width(), labels.height());
+        for (const Point2i p : piece.pixels) mask(p.x, p.y) = 1;
+    }
+    return masks;
 }
 
 // The piece and what lies within reach of its seams with parts that come before it.
@@ -95,15 +85,15 @@ Strokes strokes_from_labels(const LabelMap& labels) {
     Strokes strokes;
     Mask before(labels.width(), labels.height());
     for (const Label label : modelling_order) {
-        const std::vector<Piece> pieces = pieces_of(labels, label, least_area);
+        const std::vector<Mask> pieces = piece_masks(labels, label, least_area);
         Mask own = before;
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             PartStroke part;
             part.name = std::string(name_of(label)) + (pieces.size() > 1 ? "_" + std::to_string(i + 1) : "");
             part.label = label;
-            part.stroke = stroke_of(extended(pieces[i].mask, before, distances));
+            part.stroke = stroke_of(extended(pieces[i], before, distances));
             strokes.calls.emplace_back(part);
-            for (std::size_t k = 0; k < own.size(); ++k) own.data()[k] |= pieces[i].mask.data()[k];
+            for (std::size_t k = 0; k < own.size(); ++k) own.data()[k] |= pieces[i].data()[k];
         }
         before = own;
     }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// In come limbs, or mapped end-effectors, and the reference with its joints; out go bones. As in the thesis
+// (4.6) one per end-effector, from its neighbour in the graph to the end (ERRATA 20); by default our own:
+// several along each limb, jointed at its bend, and a spine.
 #include "rigging/bones.hpp"
 
 #include <algorithm>

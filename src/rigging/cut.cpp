@@ -1,30 +1,29 @@
 // SPDX-License-Identifier: MIT
+// In come the mesh, the owner of every pixel and the limbs; out goes the mesh, cut where parts touch that are
+// far apart along the skeleton (thesis 6.3, Fig. 6.9, names the problem; ERRATA 22). The cut is our own.
 #include "rigging/cut.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
+
+#include "rigging/nearest_pixel.hpp"
 
 namespace pantin {
 namespace {
 
-const Owner& owner_at(const Grid<Owner>& pixels, Point2d p) {
-    return pixels(std::clamp(static_cast<int>(std::rint(p.x)), 0, pixels.width() - 1),
-                  std::clamp(static_cast<int>(std::rint(p.y)), 0, pixels.height() - 1));
-}
-
 constexpr double welded = 0.4; // a limb with this contact share lies on its parent all along
 
-// Up to this position a limb is one piece with its surroundings: the flesh around the attachment, where the
-// border of the labels may run aslant. Broad parts (wings) have long roots.
-double root_zone(const Limb& limb, double cell) {
-    const double flesh = 0.75 * limb.width + 2 * cell;
-    return limb.label == Label::wing ? std::max(flesh, 0.5 * limb.length()) : flesh;
+// Up to this position a limb is one piece with its surroundings: the region around the attachment, where the
+// border of the labels may run aslant. Broad parts (wings) have a long one.
+double attachment_region(const Limb& limb, double cell) {
+    const double by_width = 0.75 * limb.width + 2 * cell;
+    return limb.label == Label::wing ? std::max(by_width, 0.5 * limb.length()) : by_width;
 }
 
 // Heads, and limbs drawn onto their parent, stay in one piece with it.
-bool beyond_root(const Owner& owner, const Limb& limb, double cell) {
-    return limb.label != Label::head && limb.contact < welded && owner.position > root_zone(limb, cell);
+bool beyond_attachment(const Owner& owner, const Limb& limb, double cell) {
+    return limb.label != Label::head && limb.contact < welded &&
+           owner.position > attachment_region(limb, cell);
 }
 
 Mesh without_unused(Mesh mesh, std::vector<Owner>& owners) {
@@ -51,7 +50,7 @@ Mesh without_unused(Mesh mesh, std::vector<Owner>& owners) {
 
 std::vector<Owner> vertex_owners(const Mesh& mesh, const Grid<Owner>& pixels) {
     std::vector<Owner> owners;
-    for (const Point2d& p : mesh.vertices) owners.push_back(owner_at(pixels, p));
+    for (const Point2d& p : mesh.vertices) owners.push_back(at_nearest(pixels, p));
     return owners;
 }
 
@@ -59,13 +58,14 @@ bool far_apart(const Owner& a, const Owner& b, const Limbs& limbs, double cell) 
     if (a.limb == b.limb) return false;
     if (a.limb < 0) return far_apart(b, a, limbs, cell);
     const Limb& limb = limbs.limbs[a.limb];
-    if (b.limb < 0) return beyond_root(a, limb, cell); // the body
+    if (b.limb < 0) return beyond_attachment(a, limb, cell); // the body
     const Limb& other = limbs.limbs[b.limb];
-    if (limb.parent == b.limb) return beyond_root(a, limb, cell);
-    if (other.parent == a.limb) return beyond_root(b, other, cell);
-    if (limb.label == Label::head) return beyond_root(b, other, cell); // the head is as rigid as the body
-    if (other.label == Label::head) return beyond_root(a, limb, cell);
-    return a.position + b.position > std::max(root_zone(limb, cell), root_zone(other, cell));
+    if (limb.parent == b.limb) return beyond_attachment(a, limb, cell);
+    if (other.parent == a.limb) return beyond_attachment(b, other, cell);
+    if (limb.label == Label::head)
+        return beyond_attachment(b, other, cell); // the head is as rigid as the body
+    if (other.label == Label::head) return beyond_attachment(a, limb, cell);
+    return a.position + b.position > std::max(attachment_region(limb, cell), attachment_region(other, cell));
 }
 
 int cut_touching_parts(Mesh& mesh, std::vector<Owner>& owners, const Grid<Owner>& pixels, const Limbs& limbs,
@@ -82,7 +82,7 @@ int cut_touching_parts(Mesh& mesh, std::vector<Owner>& owners, const Grid<Owner>
         }
         if (!conflict) continue;
         ++changed;
-        const Owner side = owner_at(pixels, middle);
+        const Owner side = at_nearest(pixels, middle);
         for (int& v : face) {
             if (!far_apart(owners[v], side, limbs, cell)) continue;
             const auto [it, is_new] =

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
+// In come the skeleton graph, the labels and the distance transform; out go a root in the middle of the body
+// and the shortest path to it from every end. Our own; limbs and bones run along these paths (thesis 4.6 has
+// one straight bone per end-effector).
 #include "rigging/inward_paths.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "pantin/geometry.hpp"
+#include "rigging/nearest_pixel.hpp"
+#include "rigging/shortest_paths.hpp"
+#include "skeletonization/graph_edit.hpp"
 
 namespace pantin {
 namespace {
-
-Point2d position_of(const SkeletonVertex& v) { return {v.x, v.y}; }
 
 // All points of an edge from u to v, ends included; an edge without pixels is a straight line.
 std::vector<Point2d> edge_points(const SkeletonGraph& graph, const SkeletonEdge& edge) {
@@ -25,12 +28,6 @@ std::vector<Point2d> edge_points(const SkeletonGraph& graph, const SkeletonEdge&
     return points;
 }
 
-template <class T> T sample(const Grid<T>& grid, Point2d p) {
-    const int x = std::clamp(static_cast<int>(std::rint(p.x)), 0, grid.width() - 1);
-    const int y = std::clamp(static_cast<int>(std::rint(p.y)), 0, grid.height() - 1);
-    return grid(x, y);
-}
-
 struct Root {
     Point2d point;
     int vertex = -1;          // or
@@ -43,8 +40,8 @@ Root choose_root(const SkeletonGraph& graph, const std::vector<std::vector<Point
     bool best_is_body = false;
     float best_depth = -1;
     const auto offer = [&](const Root& candidate) {
-        const bool is_body = sample(labels, candidate.point) == static_cast<std::uint8_t>(Label::body);
-        const float d = sample(depth, candidate.point);
+        const bool is_body = at_nearest(labels, candidate.point) == static_cast<std::uint8_t>(Label::body);
+        const float d = at_nearest(depth, candidate.point);
         if (is_body < best_is_body || (is_body == best_is_body && d <= best_depth)) return;
         best = candidate, best_is_body = is_body, best_depth = d;
     };
@@ -56,47 +53,15 @@ Root choose_root(const SkeletonGraph& graph, const std::vector<std::vector<Point
     return best;
 }
 
-// Shortest-path tree from the root (Dijkstra over at most a few dozen vertices).
-struct Tree {
-    std::vector<double> cost;
-    std::vector<int>
-        edge; // towards the root: −1 at the root vertex, −2 unreached, −3 along the root's own edge
-};
-
-Tree shortest_paths(const SkeletonGraph& graph, const std::vector<std::vector<Point2d>>& edges,
-                    const Root& root) {
-    const double infinity = std::numeric_limits<double>::infinity();
-    const std::size_t n = graph.vertices.size();
-    Tree tree{std::vector<double>(n, infinity), std::vector<int>(n, -2)};
-    if (root.vertex >= 0) {
-        tree.cost[root.vertex] = 0;
-        tree.edge[root.vertex] = -1;
-    } else {
-        const SkeletonEdge& edge = graph.edges[root.edge];
-        const auto& points = edges[root.edge];
-        const std::vector<Point2d> head(points.begin(), points.begin() + root.index + 1);
-        const std::vector<Point2d> rest(points.begin() + root.index, points.end());
-        for (const auto& [vertex, cost] :
-             {std::pair{edge.u, polyline_length(head)}, {edge.v, polyline_length(rest)}})
-            if (cost < tree.cost[vertex]) tree.cost[vertex] = cost, tree.edge[vertex] = -3;
-    }
-    std::vector<char> done(n, 0);
-    for (std::size_t round = 0; round < n; ++round) {
-        int u = -1;
-        for (std::size_t v = 0; v < n; ++v)
-            if (!done[v] && tree.cost[v] < infinity && (u < 0 || tree.cost[v] < tree.cost[u]))
-                u = static_cast<int>(v);
-        if (u < 0) break;
-        done[u] = true;
-        for (std::size_t e = 0; e < edges.size(); ++e) {
-            const SkeletonEdge& edge = graph.edges[e];
-            if (edge.u != u && edge.v != u) continue;
-            const int other = edge.u == u ? edge.v : edge.u;
-            const double cost = tree.cost[u] + polyline_length(edges[e]);
-            if (cost < tree.cost[other]) tree.cost[other] = cost, tree.edge[other] = static_cast<int>(e);
-        }
-    }
-    return tree;
+// Where paths start that lead to the root: its vertex, or the two ends of its edge with the ways to them.
+std::vector<PathStart> starts_at(const Root& root, const SkeletonGraph& graph,
+                                 const std::vector<std::vector<Point2d>>& edges) {
+    if (root.vertex >= 0) return {{root.vertex, 0}};
+    const auto& points = edges[root.edge];
+    const std::vector<Point2d> head(points.begin(), points.begin() + root.index + 1);
+    const std::vector<Point2d> rest(points.begin() + root.index, points.end());
+    const SkeletonEdge& edge = graph.edges[root.edge];
+    return {{edge.u, polyline_length(head)}, {edge.v, polyline_length(rest)}};
 }
 
 void append(InwardPath& path, Point2d point, int vertex) {
@@ -109,7 +74,7 @@ void append(InwardPath& path, Point2d point, int vertex) {
 }
 
 InwardPath path_from(int end, const SkeletonGraph& graph, const std::vector<std::vector<Point2d>>& edges,
-                     const Root& root, const Tree& tree) {
+                     const Root& root, const ShortestPaths& tree) {
     InwardPath path;
     path.end = end;
     append(path, position_of(graph.vertices[end]), end);
@@ -122,7 +87,7 @@ InwardPath path_from(int end, const SkeletonGraph& graph, const std::vector<std:
         for (std::size_t i = 1; i + 1 < points.size(); ++i) append(path, points[i], -1);
         append(path, position_of(graph.vertices[v]), v);
     }
-    if (tree.edge[v] == -3) {
+    if (root.edge >= 0) { // inside its own edge
         const auto& points = edges[root.edge];
         const int n = static_cast<int>(points.size());
         if (graph.edges[root.edge].u == v)
@@ -135,21 +100,21 @@ InwardPath path_from(int end, const SkeletonGraph& graph, const std::vector<std:
 
 } // namespace
 
-SkeletonPaths skeleton_paths(const SkeletonGraph& graph, const LabelMap& labels, const Grid<float>& depth) {
+InwardPaths inward_paths(const SkeletonGraph& graph, const LabelMap& labels, const Grid<float>& depth) {
     std::vector<std::vector<Point2d>> edges;
-    std::vector<int> degree(graph.vertices.size(), 0);
+    std::vector<double> lengths;
     for (const SkeletonEdge& edge : graph.edges) {
         edges.push_back(edge_points(graph, edge));
-        ++degree[edge.u];
-        ++degree[edge.v];
+        lengths.push_back(polyline_length(edges.back()));
     }
-    SkeletonPaths result;
+    InwardPaths result;
     if (graph.vertices.empty()) return result;
     const Root root = choose_root(graph, edges, labels, depth);
-    const Tree tree = shortest_paths(graph, edges, root);
+    const ShortestPaths tree = shortest_paths(graph, lengths, starts_at(root, graph, edges));
+    const std::vector<int> degree = vertex_degrees(graph);
     result.root = root.point;
     for (std::size_t v = 0; v < graph.vertices.size(); ++v)
-        if (degree[v] <= 1 && tree.edge[v] != -2)
+        if (degree[v] <= 1 && std::isfinite(tree.length[v]))
             result.paths.push_back(path_from(static_cast<int>(v), graph, edges, root, tree));
     return result;
 }

@@ -15,14 +15,14 @@ struct InwardPath {
     std::vector<int> vertex;     // per point: the skeleton vertex there, or −1
 };
 
-struct SkeletonPaths {
+struct InwardPaths {
     Point2d root;
     std::vector<InwardPath> paths; // one per vertex of degree 1 (or 0), ascending by vertex
 };
 
 // Root: the point of the skeleton with the largest depth among those with label body, among all when none has
-// it; the first in vertex, then edge order on ties. Paths are shortest ones (by edge length, ties by vertex
-// index).
-SkeletonPaths skeleton_paths(const SkeletonGraph& graph, const LabelMap& labels, const Grid<float>& depth);
+// it; the first in vertex, then edge order on ties. Paths are shortest ones along the points
+// of the edges (shortest_paths). A graph without vertices has no path.
+InwardPaths inward_paths(const SkeletonGraph& graph, const LabelMap& labels, const Grid<float>& depth);
 
 } // namespace pantin

@@ -27,24 +27,23 @@ struct Limb {
     Point2d at(double s) const; // point of the path at arc length s, clamped
 };
 
-// A side branch that belongs to a limb (heel, finger, ear): it moves with the limb at `position`.
-struct Twig {
+// A branch of the skeleton that belongs to a limb (heel, finger, ear): it moves with the limb at `position`.
+struct SideBranch {
     int limb = 0;
-    double position = 0;
-    std::vector<Point2d> path;
+    double position = 0;       // of the fork along the limb's path
+    std::vector<Point2d> path; // from the branch's end to the fork
 };
 
 struct Limbs {
     Point2d root; // the body's pivot: the skeleton point with label body that lies deepest inside
     std::vector<Limb> limbs;
-    std::vector<Twig> twigs;
+    std::vector<SideBranch> side_branches;
 };
 
-// labels: every pixel has a label (nearest_labels); depth: distance transform of the silhouette.
+// labels: every pixel has a label (nearest_labels), of the graph's size; depth: distance transform of the
+// silhouette, pixels. Limbs that nothing drives are left out; there may be none. Parents come before what
+// hangs on them, else limbs go by `end`.
 Limbs find_limbs(const SkeletonGraph& graph, const LabelMap& labels, const Grid<float>& depth,
                  const ReferenceSkeleton& reference, const Mapping& mapping);
-
-// Every pixel of the grid gets the label of the nearest labelled pixel.
-LabelMap nearest_labels(const LabelMap& labels);
 
 } // namespace pantin

@@ -121,7 +121,7 @@ private:
         Point2d place;
     };
     // The border's nearest crossing of an edge at the corner, if it is close and the silhouette, or the
-    // paper, goes on at the corner's other side: a thin limb stays, and so does a thin gap.
+    // background, goes on at the corner's other side: a thin limb stays, and so does a thin gap.
     Node node_at(Point2i p) const {
         const double v = field_(p.x, p.y);
         Node node{p, v > 0 ? 1 : -1, to_double(p)};

@@ -1,46 +1,13 @@
 // SPDX-License-Identifier: MIT
+// In comes a mesh of polygons; out go its edges, the neighbours of its vertices, and by Euler's formula its
+// pieces and holes.
 #include "rigging/mesh_topology.hpp"
 
 #include <algorithm>
-#include <numeric>
 
-#include "pantin/image.hpp"
+#include "core/disjoint_sets.hpp"
 
 namespace pantin {
-namespace {
-
-int find_root(std::vector<int>& parent, int i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-}
-void join(std::vector<int>& parent, int i, int j) {
-    const int a = find_root(parent, i), b = find_root(parent, j);
-    parent[a] = b;
-}
-
-} // namespace
-
-Topology topology_of(const Mask& mask) {
-    Topology topology;
-    topology.pieces = static_cast<int>(connected_components(mask).list.size());
-    const Mask filled = fill_holes(mask);
-    Mask holes(mask.width(), mask.height());
-    for (std::size_t i = 0; i < mask.size(); ++i) holes.data()[i] = filled.data()[i] && !mask.data()[i];
-    // Holes are 4-connected: join each pixel with its left and upper neighbour, count the roots.
-    std::vector<int> parent(mask.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    for (int y = 0; y < mask.height(); ++y)
-        for (int x = 0; x < mask.width(); ++x) {
-            if (!holes(x, y)) continue;
-            const int i = y * mask.width() + x;
-            if (holes.value_or(x - 1, y, 0)) join(parent, i, i - 1);
-            if (holes.value_or(x, y - 1, 0)) join(parent, i, i - mask.width());
-        }
-    for (std::size_t i = 0; i < mask.size(); ++i)
-        topology.holes += holes.data()[i] && parent[i] == static_cast<int>(i);
-    return topology;
-}
-
 std::vector<std::pair<int, int>> edges_of(const Mesh& mesh) {
     std::vector<std::pair<int, int>> edges;
     for (const std::vector<int>& face : mesh.faces)
@@ -56,11 +23,10 @@ std::vector<std::pair<int, int>> edges_of(const Mesh& mesh) {
 Topology topology_of(const Mesh& mesh) {
     const auto edges = edges_of(mesh);
     const int vertices = static_cast<int>(mesh.vertices.size());
-    std::vector<int> parent(vertices);
-    std::iota(parent.begin(), parent.end(), 0);
-    for (const auto& [u, v] : edges) join(parent, u, v);
+    DisjointSets pieces(mesh.vertices.size());
+    for (const auto& [u, v] : edges) pieces.unite(u, v);
     Topology topology;
-    for (int i = 0; i < vertices; ++i) topology.pieces += parent[i] == i;
+    for (int i = 0; i < vertices; ++i) topology.pieces += pieces.find(i) == i;
     const int faces = static_cast<int>(mesh.faces.size());
     topology.holes = topology.pieces - (vertices - static_cast<int>(edges.size()) + faces);
     return topology;

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: MIT
+// In come limbs and side branches as paths, the silhouette and its labels; out goes the limb to which each
+// pixel belongs, and where along it. Our own: in the thesis (Algorithm 4.4) mesh vertices are flooded, each
+// from its end-effector.
 #include "rigging/ownership.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "pantin/image.hpp"
+#include "rigging/nearest_pixel.hpp"
 
 namespace pantin {
 namespace {
-
-Point2i pixel_of(Point2d p, const Mask& grid) {
-    return {std::clamp(static_cast<int>(std::rint(p.x)), 0, grid.width() - 1),
-            std::clamp(static_cast<int>(std::rint(p.y)), 0, grid.height() - 1)};
-}
 
 // Dijkstra over pixels with a bucket for each cost (Dial 1969); ties by the pixel's index, so the result
 // depends on the input alone. Every step costs at least 5: a bucket is complete when its turn comes.
@@ -27,7 +25,7 @@ public:
 
     // The first owner of a pixel stays.
     void seed(Point2d point, Owner owner) {
-        const Point2i p = pixel_of(point, silhouette_);
+        const Point2i p = nearest_pixel(silhouette_, point);
         if (cost_(p.x, p.y) >= 0) return;
         owners_(p.x, p.y) = owner;
         cost_(p.x, p.y) = 0;
@@ -106,8 +104,8 @@ Grid<Owner> pixel_owners(const Limbs& limbs, const std::vector<Point2d>& skeleto
         for (std::size_t i = limb.path.size(); i-- > 0;)
             flood.seed(limb.path[i], {static_cast<int>(l), limb.position[i]});
     }
-    for (const Twig& twig : limbs.twigs)
-        for (const Point2d& p : twig.path) flood.seed(p, {twig.limb, twig.position});
+    for (const SideBranch& side : limbs.side_branches)
+        for (const Point2d& p : side.path) flood.seed(p, {side.limb, side.position});
     flood.seed(limbs.root, {});
     for (const Point2d& p : skeleton) flood.seed(p, {});
     flood.run(true);

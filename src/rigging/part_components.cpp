@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: MIT
+// In come labels and distance transform; out go the pieces of parts with the pixel where each hangs on the
+// others and a path from there to its farthest pixel. Our own: the thesis (4.6) knows end-effectors alone.
 #include "rigging/part_components.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <queue>
+#include <utility>
 
-#include "pantin/image.hpp"
+#include "image/label_map.hpp"
+#include "skeletonization/neighbourhood.hpp"
 
 namespace pantin {
 namespace {
 
 // The border pixels towards other parts, and the share of the border that meets the background.
-std::vector<Point2i> contacts(PartComponent& part, const LabelMap& labels, const Grid<float>& depth) {
+std::vector<Point2i> contacts(PartComponent& part, const std::vector<Point2i>& pixels, const LabelMap& labels,
+                              const Grid<float>& depth) {
     std::vector<Point2i> contact;
     int free = 0;
-    for (const Point2i& p : part.pixels) {
+    for (const Point2i& p : pixels) {
         bool meets_part = false, meets_outside = false;
         for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
             if (depth.value_or(p.x + dx, p.y + dy, 0) <= 0)
@@ -38,17 +44,17 @@ Point2i middle_of(const std::vector<Point2i>& points) {
     return best;
 }
 
-// Dijkstra from the attachment; a step costs 1 in the part's middle and up to 3 at its border.
-std::vector<Point2d> longest_path(const PartComponent& part, const Grid<int>& ids, int id,
-                                  const Grid<float>& depth) {
+// Settles the pixels of the part in ascending order of their way from the start, a step costing 1 in the
+// part's middle and up to 3 at its border (Dijkstra over pixels; ties by the pixel's index). `from`: per
+// pixel of the crop the one before it, −1 at the start. Returns the last one, the farthest.
+int settle(const Mask& part, const Grid<float>& depth, Point2i corner, int start, Grid<int>& from) {
     float deepest = 1;
-    for (const Point2i& p : part.pixels) deepest = std::max(deepest, depth(p.x, p.y));
-    const int width = ids.width();
-    Grid<double> cost(width, ids.height(), -1);
-    Grid<int> from(width, ids.height(), -1);
+    for (int y = 0; y < part.height(); ++y)
+        for (int x = 0; x < part.width(); ++x)
+            if (part(x, y)) deepest = std::max(deepest, depth(corner.x + x, corner.y + y));
+    Grid<double> cost(part.width(), part.height(), -1);
     using Entry = std::pair<double, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    const int start = part.attachment.y * width + part.attachment.x;
     cost.data()[start] = 0;
     queue.emplace(0.0, start);
     int last = start;
@@ -56,23 +62,30 @@ std::vector<Point2d> longest_path(const PartComponent& part, const Grid<int>& id
         const auto [c, i] = queue.top();
         queue.pop();
         if (c > cost.data()[i]) continue;
-        last = i; // settled in ascending order: the last one is the farthest
-        const int x = i % width, y = i / width;
-        for (int dy = -1; dy <= 1; ++dy)
-            for (int dx = -1; dx <= 1; ++dx) {
-                const int nx = x + dx, ny = y + dy;
-                if (!ids.contains(nx, ny) || ids(nx, ny) != id) continue;
-                const double step = dx != 0 && dy != 0 ? 1.4142135623730951 : 1;
-                const double next = c + step * (3 - 2.0 * depth(nx, ny) / deepest);
-                if (cost(nx, ny) >= 0 && cost(nx, ny) <= next) continue;
-                cost(nx, ny) = next;
-                from(nx, ny) = i;
-                queue.emplace(next, ny * width + nx);
-            }
+        last = i;
+        for (const Point2i d : neighbour_offsets) {
+            const int x = i % part.width() + d.x, y = i / part.width() + d.y;
+            if (!part.value_or(x, y, 0)) continue;
+            const double step = d.x != 0 && d.y != 0 ? 1.4142135623730951 : 1;
+            const double next = c + step * (3 - 2.0 * depth(corner.x + x, corner.y + y) / deepest);
+            if (cost(x, y) >= 0 && cost(x, y) <= next) continue;
+            cost(x, y) = next;
+            from(x, y) = i;
+            queue.emplace(next, y * part.width() + x);
+        }
     }
+    return last;
+}
+
+// Inside the part, from the attachment to the pixel farthest from it.
+std::vector<Point2d> longest_path(const LabelPiece& piece, Point2i attachment, const Grid<float>& depth) {
+    const Mask part = cropped_mask(piece);
+    const Point2i corner{piece.box.x, piece.box.y};
+    Grid<int> from(part.width(), part.height(), -1);
+    const int start = (attachment.y - corner.y) * part.width() + attachment.x - corner.x;
     std::vector<Point2d> path;
-    for (int i = last; i >= 0; i = from.data()[i])
-        path.push_back({static_cast<double>(i % width), static_cast<double>(i / width)});
+    for (int i = settle(part, depth, corner, start, from); i >= 0; i = from.data()[i])
+        path.push_back(to_double({corner.x + i % part.width(), corner.y + i / part.width()}));
     std::reverse(path.begin(), path.end());
     return path;
 }
@@ -83,22 +96,16 @@ std::vector<PartComponent> part_components(const LabelMap& labels, const Grid<fl
     std::vector<PartComponent> parts;
     for (const Label label : part_labels) {
         if (role_of(label) == PartRole::trunk) continue;
-        Mask mask(labels.width(), labels.height());
-        for (std::size_t i = 0; i < mask.size(); ++i)
-            mask.data()[i] = depth.data()[i] > 0 && labels.data()[i] == static_cast<std::uint8_t>(label);
-        const Components components = connected_components(mask);
-        for (const Component& component : components.list) {
-            if (component.area < min_area) continue;
+        Mask mask = part_mask(labels, {label});
+        for (std::size_t i = 0; i < mask.size(); ++i) mask.data()[i] &= depth.data()[i] > 0;
+        for (LabelPiece& piece : pieces_of(mask, min_area)) {
             PartComponent part;
             part.label = label;
-            const Box& box = component.box;
-            for (int y = box.y; y < box.y + box.height; ++y)
-                for (int x = box.x; x < box.x + box.width; ++x)
-                    if (components.ids(x, y) == component.id) part.pixels.push_back({x, y});
-            const std::vector<Point2i> contact = contacts(part, labels, depth);
+            const std::vector<Point2i> contact = contacts(part, piece.pixels, labels, depth);
             if (contact.empty()) continue;
             part.attachment = middle_of(contact);
-            part.path = longest_path(part, components.ids, component.id, depth);
+            part.path = longest_path(piece, part.attachment, depth);
+            part.pixels = std::move(piece.pixels);
             parts.push_back(std::move(part));
         }
     }

@@ -3,11 +3,12 @@
 //
 // X. Bai, L. J. Latecki: Path Similarity Skeleton Graph Matching, 2008. Eq. 4.8 is read as DT(p) / mean DT,
 // as in that paper; M samples, i = 0 … M−1 (ERRATA 14, 15).
-#include <algorithm>
-#include <limits>
+#include "rigging/path_distance.hpp"
 
-#include "pantin/image.hpp"
-#include "rigging/skeleton_paths.hpp"
+#include <algorithm>
+#include <cmath>
+
+#include "rigging/shortest_paths.hpp"
 
 namespace pantin {
 namespace {
@@ -22,48 +23,19 @@ double radius_at(const Figure& figure, Point2d p) {
     return std::sqrt(static_cast<double>(squared(x, y))) / figure.mean_distance;
 }
 
-struct Hop {
-    double distance = std::numeric_limits<double>::infinity();
-    int edge = -1; // through which the vertex was reached
-    bool done = false;
-};
-
-std::vector<Hop> dijkstra(const SkeletonGraph& graph, int from) {
-    std::vector<Hop> hops(graph.vertices.size());
-    hops[from].distance = 0;
-    for (;;) {
-        int u = -1;
-        for (int i = 0; i < std::ssize(hops); ++i)
-            if (!hops[i].done && hops[i].distance < std::numeric_limits<double>::infinity() &&
-                (u < 0 || hops[i].distance < hops[u].distance))
-                u = i;
-        if (u < 0) return hops;
-        hops[u].done = true;
-        for (int e = 0; e < std::ssize(graph.edges); ++e) {
-            const SkeletonEdge& edge = graph.edges[e];
-            if (edge.u != u && edge.v != u) continue;
-            Hop& next = hops[edge.u == u ? edge.v : edge.u];
-            if (hops[u].distance + edge.length < next.distance) {
-                next.distance = hops[u].distance + edge.length;
-                next.edge = e;
-            }
-        }
-    }
-}
-
 } // namespace
 
 std::vector<Point2d> shortest_path(const SkeletonGraph& graph, int from, int to) {
-    // Searched backwards, so that following the hops from `from` yields the pixels in order.
-    const std::vector<Hop> hops = dijkstra(graph, to);
+    // Searched backwards, so that following the edges from `from` yields the pixels in order.
+    const ShortestPaths paths = shortest_paths(graph, to);
     std::vector<Point2d> path;
-    if (from == to || hops[from].edge < 0) return path;
+    if (from == to || paths.edge[from] < 0) return path;
     const auto append = [&path](Point2d p) {
         if (path.empty() || !(path.back() == p)) path.push_back(p);
     };
     append({graph.vertices[from].x, graph.vertices[from].y});
     for (int at = from; at != to;) {
-        const SkeletonEdge& edge = graph.edges[hops[at].edge];
+        const SkeletonEdge& edge = graph.edges[paths.edge[at]];
         const bool forward = edge.u == at;
         for (std::size_t k = 0; k < edge.pixels.size(); ++k)
             append(to_double(edge.pixels[forward ? k : edge.pixels.size() - 1 - k]));

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The simple shape of a reference skeleton (thesis 4.5: "for each of the characters we define a simple
-// shape").
-#include <algorithm>
+// shape"): nodes with radii in, a mask's distance transform and a graph of pixels out.
+#include "rigging/reference_shape.hpp"
 
-#include "pantin/image.hpp"
-#include "rigging/skeleton_paths.hpp"
+#include <algorithm>
+#include <cmath>
 
 namespace pantin {
 namespace {
 
-constexpr int canvas = 321, margin = 40;
+constexpr int canvas = reference_side, margin = reference_margin;
 constexpr double span = reference_span;
-static_assert(reference_span == canvas - 1 - 2 * margin);
 
 struct Disc {
     Point2d centre;
@@ -61,19 +60,6 @@ SkeletonEdge draw_edge(int u, int v, const Disc& a, const Disc& b) {
 }
 
 } // namespace
-
-Figure make_figure(SkeletonGraph graph, const Mask& shape) {
-    Figure figure{std::move(graph), squared_distance_transform(shape), 0};
-    double sum = 0;
-    long count = 0;
-    for (const int squared : figure.squared_distance) {
-        if (squared <= 0) continue;
-        sum += std::sqrt(static_cast<double>(squared));
-        ++count;
-    }
-    figure.mean_distance = count > 0 ? sum / static_cast<double>(count) : 1;
-    return figure;
-}
 
 Figure draw_reference(const ReferenceSkeleton& reference, bool mirrored) {
     Mask mask(canvas, canvas);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "image/label_map.hpp"
 #include "pantin/error.hpp"
 #include "pantin/image.hpp"
 #include "pantin/rigging.hpp"
@@ -79,7 +80,7 @@ void require_bones(std::size_t bones) {
 
 void rig_as_in_thesis(Rig& rig, const SkeletonGraph& graph, const LabelMap& labels, const LabelMap& filled,
                       const ReferenceSkeleton& reference, bool mirrored) {
-    const Point2d root = skeleton_paths(graph, filled, distance_transform(foreground(labels))).root;
+    const Point2d root = inward_paths(graph, filled, distance_transform(foreground(labels))).root;
     rig.bones = make_thesis_bones(graph, reference, rig.mapping, mirrored, root);
     require_bones(rig.bones.size());
     rig.weights = thesis_weights(rig.mesh, filled, graph, reference, rig.mapping);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// In come the mesh, the owners of its vertices and the bones; out go up to four weights per vertex. Ours:
+// blended over each joint along the limb, then diffused over the mesh. The thesis's: a flood from every
+// end-effector with one constant weight (Algorithm 4.4, ERRATA 20).
 #include "rigging/skin_weights.hpp"
 
 #include <algorithm>
@@ -7,6 +10,8 @@
 #include "core/smoothstep.hpp"
 #include "geometry/extent.hpp"
 #include "rigging/mesh_topology.hpp"
+#include "rigging/nearest_pixel.hpp"
+#include "rigging/reference_shape.hpp"
 
 namespace pantin {
 namespace {
@@ -141,10 +146,7 @@ std::vector<FloodResult> flood_weights(const Mesh& mesh, const LabelMap& labels,
                                        const std::vector<FloodInput>& ends) {
     std::vector<FloodResult> results(ends.size());
     std::vector<int> label(mesh.vertices.size());
-    for (std::size_t v = 0; v < label.size(); ++v)
-        label[v] =
-            labels(std::clamp(static_cast<int>(std::rint(mesh.vertices[v].x)), 0, labels.width() - 1),
-                   std::clamp(static_cast<int>(std::rint(mesh.vertices[v].y)), 0, labels.height() - 1));
+    for (std::size_t v = 0; v < label.size(); ++v) label[v] = at_nearest(labels, mesh.vertices[v]);
     for (std::size_t e = 0; e < ends.size(); ++e)
         for (std::size_t v = 0; v < label.size(); ++v)
             if (results[e].seed < 0 || distance(mesh.vertices[v], ends[e].end) <
@@ -193,9 +195,9 @@ template <class Edges> double relative_bone(const std::vector<Point2d>& points, 
 double bone_ratio(const SkeletonGraph& graph, int end, const ReferenceSkeleton& reference,
                   int reference_end) {
     std::vector<Point2d> points, nodes;
-    for (const SkeletonVertex& v : graph.vertices) points.push_back({v.x, v.y});
+    for (const SkeletonVertex& v : graph.vertices) points.push_back(position_of(v));
     for (const ReferenceNode& n : reference.nodes)
-        nodes.push_back({std::rint(241 * n.x), std::rint(241 * n.y)});
+        nodes.push_back({std::rint((reference_span + 1) * n.x), std::rint((reference_span + 1) * n.y)});
     std::vector<std::pair<int, int>> edges;
     for (const SkeletonEdge& edge : graph.edges) edges.emplace_back(edge.u, edge.v);
     const double a = relative_bone(points, edges, end),
@@ -209,7 +211,7 @@ std::vector<VertexWeights> thesis_weights(const Mesh& mesh, const LabelMap& labe
     std::vector<FloodInput> ends;
     for (const EndPair& pair : mapping.pairs) {
         const SkeletonVertex& v = graph.vertices[pair.end];
-        ends.push_back({{v.x, v.y}, v.label});
+        ends.push_back({position_of(v), v.label});
     }
     const std::vector<FloodResult> floods = flood_weights(mesh, labels, ends);
     std::vector<VertexWeights> weights(mesh.vertices.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The two heuristics of the thesis, section 4.4, that rid the graph of what would mislead the later steps
-// (ERRATA 7).
+// (ERRATA 7): H1 takes ends from head and body, H2 joins vertices that are close. A graph in, a graph out.
 #include <cmath>
 #include <map>
 

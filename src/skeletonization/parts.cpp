@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Two repairs of the thesis's skeleton (thesis 4.4), our own: in come the ridges or the skeleton as a raster
+// and the labels; out goes the raster with a pixel more in parts that no ridge enters, or the skeleton
+// without cycles through limbs.
 #include "skeletonization/parts.hpp"
 
 #include <algorithm>
@@ -8,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "image/label_map.hpp"
 #include "pantin/image.hpp"
 #include "skeletonization/graph_edit.hpp"
 #include "skeletonization/neighbourhood.hpp"
@@ -15,45 +19,16 @@
 namespace pantin {
 namespace {
 
-// A connected region of one label.
-struct Part {
-    Label label = Label::background;
-    std::vector<Point2i> pixels;
-};
-
-// The 8-connected parts of the mask that are not body, in raster order of their first pixels.
-std::vector<Part> find_parts(const Mask& mask, const LabelMap& labels) {
-    std::vector<Part> parts;
-    Mask seen(mask.width(), mask.height());
-    for (const Point2i start : foreground_pixels(mask)) {
-        const auto label = static_cast<Label>(labels(start.x, start.y));
-        if (seen(start.x, start.y) || label == Label::body || label == Label::background) continue;
-        Part part{label, {start}};
-        seen(start.x, start.y) = 1;
-        for (std::size_t i = 0; i < part.pixels.size(); ++i)
-            for (const Point2i d : neighbour_offsets) {
-                const Point2i q = {part.pixels[i].x + d.x, part.pixels[i].y + d.y};
-                if (!mask.value_or(q.x, q.y, 0) || seen(q.x, q.y) ||
-                    labels(q.x, q.y) != static_cast<std::uint8_t>(label))
-                    continue;
-                seen(q.x, q.y) = 1;
-                part.pixels.push_back(q);
-            }
-        parts.push_back(std::move(part));
-    }
-    return parts;
-}
-
-// Whether a quarter of the part's border pixels or more touch the background.
-bool touches_outside(const Part& part, const Mask& mask, const LabelMap& labels) {
+// Whether a quarter of the piece's border pixels or more touch the background.
+bool touches_outside(const LabelPiece& piece, Label label, const Mask& mask, const LabelMap& labels) {
     long border = 0, outer = 0;
-    for (const Point2i p : part.pixels) {
+    for (const Point2i p : piece.pixels) {
         bool is_border = false, is_outer = false;
         for (std::size_t k = 0; k < 8; k += 2) {
             const int x = p.x + neighbour_offsets[k].x, y = p.y + neighbour_offsets[k].y;
             const bool inside = mask.value_or(x, y, 0) != 0;
             is_outer |= !inside;
-            is_border |= !inside || labels(x, y) != static_cast<std::uint8_t>(part.label);
+            is_border |= !inside || labels(x, y) != static_cast<std::uint8_t>(label);
         }
         border += is_border;
         outer += is_outer;
@@ -61,23 +36,18 @@ bool touches_outside(const Part& part, const Mask& mask, const LabelMap& labels)
     return 4 * outer >= border;
 }
 
-// Whether the ridges run through the part over a quarter of its size (the root of its area) or more.
-bool is_represented(const Part& part, const Mask& raster) {
-    const auto ridge = std::count_if(part.pixels.begin(), part.pixels.end(),
+// Whether the ridges run through the piece over a quarter of its size (the root of its area) or more.
+bool is_represented(const LabelPiece& piece, const Mask& raster) {
+    const auto ridge = std::count_if(piece.pixels.begin(), piece.pixels.end(),
                                      [&](Point2i p) { return raster(p.x, p.y) != 0; });
-    return 16 * static_cast<long>(ridge) * static_cast<long>(ridge) >= static_cast<long>(part.pixels.size());
+    return 16 * static_cast<long>(ridge) * static_cast<long>(ridge) >= piece.area();
 }
 
-Point2i deepest_pixel(const Part& part) {
-    const auto [left, right] = std::minmax_element(part.pixels.begin(), part.pixels.end(),
-                                                   [](Point2i a, Point2i b) { return a.x < b.x; });
-    const auto [top, bottom] = std::minmax_element(part.pixels.begin(), part.pixels.end(),
-                                                   [](Point2i a, Point2i b) { return a.y < b.y; });
-    Mask region(right->x - left->x + 1, bottom->y - top->y + 1);
-    for (const Point2i p : part.pixels) region(p.x - left->x, p.y - top->y) = 1;
-    const Grid<int> depth = squared_distance_transform(region);
+// The first in raster order among equals.
+Point2i deepest_pixel(const LabelPiece& piece) {
+    const Grid<int> depth = squared_distance_transform(cropped_mask(piece));
     const auto index = static_cast<int>(std::max_element(depth.begin(), depth.end()) - depth.begin());
-    return {left->x + index % region.width(), top->y + index / region.width()};
+    return {piece.box.x + index % depth.width(), piece.box.y + index / depth.width()};
 }
 
 // Length of the way along the skeleton to the nearest pixel of body, in fifths of a pixel (5 along an axis, 7
@@ -153,12 +123,16 @@ Cut best_cut(const SkeletonGraph& graph, const Grid<int>& from_body, const Label
 Mask anchor_missing_parts(const Mask& raster, const Mask& mask, const LabelMap& labels, double share) {
     Mask anchored = raster;
     const auto area = static_cast<double>(std::count(mask.begin(), mask.end(), 1));
-    for (const Part& part : find_parts(mask, labels)) {
-        if (static_cast<double>(part.pixels.size()) < share * area || is_represented(part, raster) ||
-            !touches_outside(part, mask, labels))
-            continue;
-        const Point2i anchor = deepest_pixel(part);
-        anchored(anchor.x, anchor.y) = 1;
+    for (const Label label : {Label::head, Label::limb, Label::tail, Label::wing}) {
+        Mask part = part_mask(labels, {label});
+        std::transform(part.begin(), part.end(), mask.begin(), part.begin(), std::logical_and<>());
+        for (const LabelPiece& piece : pieces_of(part)) {
+            if (piece.area() < share * area || is_represented(piece, raster) ||
+                !touches_outside(piece, label, mask, labels))
+                continue;
+            const Point2i anchor = deepest_pixel(piece);
+            anchored(anchor.x, anchor.y) = 1;
+        }
     }
     return anchored;
 }

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "core/reference_scale.hpp"
+#include "image/label_map.hpp"
 #include "pantin/image.hpp"
 #include "skeletonization/chordal_ridges.hpp"
 #include "skeletonization/parts.hpp"
@@ -17,8 +19,8 @@
 namespace pantin {
 namespace {
 
-constexpr double reference_side = 321; // pixel constants of the thesis hold at this size
-constexpr double lowest_threshold = 7; // at that size; below it the skeleton shows the pen, not the shape
+constexpr double lowest_threshold =
+    7; // at reference_side; below it the skeleton shows the pen, not the shape
 constexpr long most_border_points =
     100'000; // a drawing has some thousand; each is a site of the Voronoi diagram
 
@@ -32,18 +34,13 @@ Mask silhouette(const LabelMap& labels, double fill_holes_share) {
     return fill_holes(largest, fill_holes_share >= 1 ? max_image_pixels : static_cast<long>(limit));
 }
 
-// Every pixel of the mask with a part: filled holes take the nearest one.
+// Every pixel of the mask with a part: filled holes take the nearest one. Nothing outside.
 LabelMap labels_on(const Mask& mask, const LabelMap& labels) {
-    LabelMap complete(mask.width(), mask.height());
     bool missing = false;
-    for (std::size_t i = 0; i < mask.size(); ++i) {
-        if (mask.data()[i]) complete.data()[i] = labels.data()[i];
-        missing |= mask.data()[i] && labels.data()[i] == 0;
-    }
-    if (!missing) return complete;
-    const Grid<int> nearest = nearest_seed(foreground(labels));
+    for (std::size_t i = 0; i < mask.size(); ++i) missing |= mask.data()[i] && labels.data()[i] == 0;
+    LabelMap complete = missing ? nearest_labels(labels) : labels;
     for (std::size_t i = 0; i < mask.size(); ++i)
-        if (mask.data()[i]) complete.data()[i] = labels.data()[nearest.data()[i]];
+        if (!mask.data()[i]) complete.data()[i] = 0;
     return complete;
 }
 
@@ -96,7 +93,7 @@ void find_graph(Skeletonization& s, const BorderSites& sites, const LabelMap& pa
 } // namespace
 
 Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions& options) {
-    const double scale = std::max(labels.width(), labels.height()) / reference_side;
+    const double scale = reference_scale(labels.width(), labels.height());
     double threshold = options.residual_threshold * scale;
 
     Skeletonization s;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// In come the borders of a mask, out goes a raster of the inner arcs of their straight skeleton (Ma et al.
+// 2021, 3.1), in place of the thesis's Voronoi edges (4.4).
 #include "skeletonization/straight_ridges.hpp"
 
 #include <cmath>

@@ -18,13 +18,6 @@
 namespace pantin {
 namespace {
 
-// Number of components and of holes.
-std::pair<int, int> topology(const Mask& mask) {
-    std::pair<int, int> numbers = {0, 0};
-    for (const Border& border : follow_borders(mask)) (border.outer ? numbers.first : numbers.second) += 1;
-    return numbers;
-}
-
 // Adds the pixel deepest in the mask, the first in raster order among equals.
 void add_deepest_pixel(Mask& anchors, const Grid<int>& squared_depth) {
     const auto deepest = std::max_element(squared_depth.begin(), squared_depth.end());
@@ -52,39 +45,46 @@ Mask peel(const Mask& mask, const Mask& anchors, const Grid<int>& squared_depth)
 
 } // namespace
 
+Topology topology_of(const Mask& mask) {
+    Topology topology;
+    for (const Border& border : follow_borders(mask)) ++(border.outer ? topology.pieces : topology.holes);
+    return topology;
+}
+
 Mask fill_spurious_cycles(const Mask& raster, const Mask& mask) {
-    // Floods what the raster leaves of the mask, from the mask's border inwards; what stays dry is enclosed.
-    Mask dry = mask;
-    for (std::size_t i = 0; i < mask.size(); ++i) dry.data()[i] = mask.data()[i] && !raster.data()[i];
+    // Floods what the raster leaves of the mask, from the mask's border inwards; what it does not reach is
+    // enclosed.
+    Mask enclosed = mask;
+    for (std::size_t i = 0; i < mask.size(); ++i) enclosed.data()[i] = mask.data()[i] && !raster.data()[i];
     const auto touches_background = [&mask](Point2i p) {
         return !mask.value_or(p.x - 1, p.y, 0) || !mask.value_or(p.x + 1, p.y, 0) ||
                !mask.value_or(p.x, p.y - 1, 0) || !mask.value_or(p.x, p.y + 1, 0);
     };
-    std::vector<Point2i> wet;
-    for (const Point2i p : foreground_pixels(dry))
+    std::vector<Point2i> flooded;
+    for (const Point2i p : foreground_pixels(enclosed))
         if (touches_background(p)) {
-            dry(p.x, p.y) = 0;
-            wet.push_back(p);
+            enclosed(p.x, p.y) = 0;
+            flooded.push_back(p);
         }
-    while (!wet.empty()) {
-        const Point2i p = wet.back();
-        wet.pop_back();
+    while (!flooded.empty()) {
+        const Point2i p = flooded.back();
+        flooded.pop_back();
         for (std::size_t k = 0; k < 8; k += 2) {
             const int x = p.x + neighbour_offsets[k].x, y = p.y + neighbour_offsets[k].y;
-            if (!dry.value_or(x, y, 0)) continue;
-            dry(x, y) = 0;
-            wet.push_back({x, y});
+            if (!enclosed.value_or(x, y, 0)) continue;
+            enclosed(x, y) = 0;
+            flooded.push_back({x, y});
         }
     }
     Mask filled = raster;
-    for (std::size_t i = 0; i < mask.size(); ++i) filled.data()[i] |= dry.data()[i];
+    for (std::size_t i = 0; i < mask.size(); ++i) filled.data()[i] |= enclosed.data()[i];
     return filled;
 }
 
 Mask restore_topology(const Mask& raster, const Mask& mask) {
     Mask filled = fill_spurious_cycles(raster, mask);
     // Every hole that is left holds a hole of the mask, so that equal numbers are enough.
-    if (topology(filled) == topology(mask)) return filled;
+    if (topology_of(filled) == topology_of(mask)) return filled;
     const Grid<int> squared_depth = squared_distance_transform(mask);
     if (std::find(filled.begin(), filled.end(), 1) == filled.end()) add_deepest_pixel(filled, squared_depth);
     return peel(mask, filled, squared_depth);

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Makes the raster of a Voronoi skeleton homotopic to its shape: one component, and one cycle around every
-// hole.
+// How many pieces and holes a mask has, and how the raster of a skeleton gets those of its shape: one
+// component, and one cycle around every hole.
 #pragma once
 
 #include "pantin/grid.hpp"
 
 namespace pantin {
+
+struct Topology {
+    int pieces = 0, holes = 0; // 8-connected, 4-connected
+    bool operator==(const Topology&) const = default;
+};
+// By the numbers of outer borders and of borders of holes (Suzuki & Abe 1985).
+Topology topology_of(const Mask& mask);
 
 // Fills the 4-connected background regions of the raster that hold no background of the mask: neighbouring
 // ridges that were drawn beside each other close such loops, and thinning would keep them.

@@ -4,6 +4,7 @@
 // and so is its result.
 #include <algorithm>
 
+#include "core/reference_scale.hpp"
 #include "formats/contour_file.hpp"
 #include "formats/file_names.hpp"
 #include "formats/page_file.hpp"
@@ -59,9 +60,7 @@ Files segment(const StageContext& c) {
 // -------------------------------------------------------------------------------------------
 
 double merge_distance(const LabelMap& labels, const StageContext& c) {
-    constexpr double reference_side = 321; // thesis ch. 5: where its pixel constants hold
-    return c.options.skeletonization.merge_distance *
-           (std::max(labels.width(), labels.height()) / reference_side);
+    return c.options.skeletonization.merge_distance * reference_scale(labels.width(), labels.height());
 }
 
 Skeletonization whole(const StageContext& c) {

@@ -289,7 +289,7 @@ TEST_CASE("straight skeletons on grids, where many events coincide") {
     }
 }
 
-TEST_CASE("straight skeletons of large polygons have the bits that they had when every corner looked at "
+TEST_CASE("straight skeletons of large polygons have the bits that they had when every corner examined "
           "every edge") {
     Random random(35);
     const struct {

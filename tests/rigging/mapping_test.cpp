@@ -6,7 +6,8 @@
 #include <map>
 
 #include "../identification/figures.hpp"
-#include "rigging/skeleton_paths.hpp"
+#include "rigging/path_distance.hpp"
+#include "rigging/reference_shape.hpp"
 
 using namespace pantin;
 

@@ -6,6 +6,7 @@
 
 #include "core/random.hpp"
 #include "figures.hpp"
+#include "image/label_map.hpp"
 #include "pantin/error.hpp"
 #include "pantin/image.hpp"
 #include "rigging/cut.hpp"
@@ -41,7 +42,7 @@ TEST_CASE("limbs begin where they leave the body and end at the end-effector") {
     const Limbs limbs =
         find_limbs(c.graph, nearest_labels(c.labels), distance_transform(c.labels), c.reference, c.mapping);
     REQUIRE(limbs.limbs.size() == 6);
-    CHECK(limbs.twigs.empty());
+    CHECK(limbs.side_branches.empty());
     CHECK(limbs.root.y == 40);
     const Limb& leg = limbs.limbs[2];
     CHECK(leg.path.front() == Point2d{28, 50});
@@ -239,9 +240,9 @@ TEST_CASE("a short unmatched branch becomes part of its limb") {
     const Limbs limbs =
         find_limbs(c.graph, nearest_labels(c.labels), distance_transform(c.labels), c.reference, c.mapping);
     CHECK(limbs.limbs.size() == 6);
-    REQUIRE(limbs.twigs.size() == 1);
-    CHECK(limbs.twigs[0].limb == 2);
-    CHECK(limbs.twigs[0].position == 30);
+    REQUIRE(limbs.side_branches.size() == 1);
+    CHECK(limbs.side_branches[0].limb == 2);
+    CHECK(limbs.side_branches[0].position == 30);
 }
 
 TEST_CASE("a part without an end-effector in the skeleton still gets a bone") {

@@ -178,7 +178,7 @@ TEST_CASE("graphs of random skeletons are canonical and have their cycles and co
 }
 
 TEST_CASE("H1 removes ends of head and body beside their like, again and again") {
-    // body – body – limb, with a twig of two body vertices: the twig goes in two rounds.
+    // body – body – limb, with a side branch of two body vertices: it goes in two rounds.
     const SkeletonGraph graph = tree({L, B, B, B, B, T}, {{0, 1}, {1, 2}, {1, 5}, {2, 3}, {3, 4}});
     CHECK(labels_of(apply_h1(graph)) == std::vector<Label>{L, B, T});
     // Limbs, tails and wings keep their ends; the only head stays, because its neighbour is body.

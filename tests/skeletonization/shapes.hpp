@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small pictures and random shapes for the tests of this room.
+// Small pictures and random shapes for the tests of skeletonization.
 #pragma once
 
 #include <cmath>

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "compare.hpp"
+#include "image/label_map.hpp"
 #include "pantin/rigging.hpp"
-#include "rigging/limbs.hpp"
 #include "rigging/mesh_topology.hpp"
 #include "rigging/skin_weights.hpp"
 

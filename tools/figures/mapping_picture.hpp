@@ -5,7 +5,8 @@
 
 #include "figures/gallery.hpp"
 #include "figures/panel.hpp"
-#include "rigging/skeleton_paths.hpp"
+#include "rigging/path_distance.hpp"
+#include "rigging/reference_shape.hpp"
 
 namespace pantin::figures {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/random.hpp"
+#include "core/reference_scale.hpp"
 #include "figures/figures.hpp"
 #include "figures/palette.hpp"
 #include "figures/panel.hpp"
@@ -166,7 +167,7 @@ void draw_residual(Panel& panel, const Skeletonization& s, std::size_t e) {
     line(6, "Edges whose residual is below the", muted);
     line(7, "threshold are pruned: 30 at 321 px,", muted);
     line(8,
-         shown(30.0 * std::max(s.mask.width(), s.mask.height()) / 321, 1) + " for this drawing of " +
+         shown(30 * reference_scale(s.mask.width(), s.mask.height()), 1) + " for this drawing of " +
              std::to_string(std::max(s.mask.width(), s.mask.height())) + " px.",
          muted);
 }
