@@ -65,11 +65,6 @@ struct UnionOptions {
 // The outer surface of all parts as one mesh: closed, oriented, without self-intersection. The zero set of
 // the parts' distances on a body-centred cubic grid, by marching tetrahedra (Doi & Koide 1991).
 SolidMesh unite(const std::vector<InflatedPart>& parts, const UnionOptions& options = {});
-// The same by exact arithmetic on the parts' own surfaces (CGAL's polygon mesh processing), to compare with;
-// coordinates are rounded at the end, SolidMesh::parts stays empty. Error(usage) in a build without CGAL;
-// Error(input) when parts touch without overlapping, so that their union is no manifold.
-SolidMesh unite_exactly(const std::vector<InflatedPart>& parts);
-bool exact_union_available();
 
 // --- the model ---------------------------------------------------------------------------------------------
 

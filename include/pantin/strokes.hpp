@@ -88,8 +88,10 @@ std::string strokes_to_json(const Strokes& strokes);
 // The strokes with the calls of another text, {"calls": […]}, after their own.
 Strokes with_calls(Strokes strokes, const std::string& text, const std::string& file);
 // Every path, polygon, polyline, rect, circle and ellipse of an SVG is a part, in document order
-// (docs/formats.md, "SVG strokes"). Error(input) names `file` and what is wrong.
+// (docs/formats.md, "SVG strokes"). Error(input) names `file` and what is wrong; Error(usage) in a build
+// without pugixml.
 Strokes strokes_from_svg(const std::string& text, const std::string& file);
+bool svg_available(); // built with pugixml
 
 // The label that a part's name asks for: "left_wing" wing, "ear" head, "body" body, "claw" limb.
 Label label_of_part(const std::string& name);

@@ -8,6 +8,7 @@
 #include "explain/picture_size.hpp"
 #include "explain/svg.hpp"
 #include "pantin/explain.hpp"
+#include "pantin/version.hpp"
 
 namespace pantin {
 

@@ -6,13 +6,13 @@
 #include <limits>
 #include <optional>
 
+#include <nlohmann/json.hpp>
+
 #include "core/file.hpp"
+#include "core/json_reader.hpp"
+#include "core/yaml.hpp"
 #include "pantin/image.hpp"
 #include "pantin/motion.hpp"
-
-#ifdef PANTIN_YAML
-#include <yaml-cpp/yaml.h>
-#endif
 
 namespace pantin {
 
@@ -107,34 +107,30 @@ std::string config_text(const Joints& joints, int width, int height) {
     return text + "width: " + std::to_string(width) + "\n";
 }
 
-#ifdef PANTIN_YAML
 Joints parse_joints(const std::string& text, const std::string& file, int width, int height) {
-    const auto fail = [&](const std::string& fact) -> void {
-        throw Error(ErrorKind::input, file + ": " + fact);
-    };
+    const nlohmann::ordered_json config = parse_yaml(text, file);
+    const JsonReader reader(config, file);
+    if (!reader.has("skeleton") || !config["skeleton"].is_array()) reader.fail("has no list \"skeleton\"");
     Joints joints;
-    try {
-        const YAML::Node config = YAML::Load(text);
-        if (!config.IsMap() || !config["skeleton"] || !config["skeleton"].IsSequence())
-            fail("has no list \"skeleton\"");
-        for (const YAML::Node& joint : config["skeleton"]) {
-            const auto name = joint["name"].as<std::string>();
-            if (!joint["loc"] || joint["loc"].size() != 2)
-                fail("joint '" + name + "' has no place of two numbers");
-            const Point2d p{joint["loc"][0].as<double>(), joint["loc"][1].as<double>()};
-            // A joint may lie a little outside of the picture.
-            if (!(std::abs(p.x) <= 2.0 * width && std::abs(p.y) <= 2.0 * height))
-                fail("joint '" + name + "' lies far outside of texture.png");
-            joints[name] = p;
-        }
-    } catch (const YAML::Exception& error) {
-        fail("not the YAML of a character: " + error.msg);
+    for (const JsonReader& joint : reader.at("skeleton").elements()) {
+        const std::string name = joint.at("name").text();
+        const auto fail = [&](const std::string& fact) { reader.fail("joint '" + name + "' " + fact); };
+        if (!joint.has("loc") || joint.at("loc").value().size() != 2) fail("has no place of two numbers");
+        const auto place = joint.at("loc").elements();
+        const auto coordinate = [&](std::size_t k) {
+            if (!place[k].value().is_number()) fail("has no place of two numbers");
+            return place[k].value().get<double>();
+        };
+        const Point2d p{coordinate(0), coordinate(1)};
+        // A joint may lie a little outside of the picture.
+        if (!(std::abs(p.x) <= 2.0 * width && std::abs(p.y) <= 2.0 * height))
+            fail("lies far outside of texture.png");
+        joints[name] = p;
     }
     for (const auto& joint : animated_drawings_joints)
-        if (!joints.contains(joint.name)) fail("misses the joint '" + std::string(joint.name) + "'");
+        if (!joints.contains(joint.name)) reader.fail("misses the joint '" + std::string(joint.name) + "'");
     return joints;
 }
-#endif
 
 } // namespace
 
@@ -145,12 +141,7 @@ bool is_animated_drawings_folder(const fs::path& folder) {
 
 std::map<std::string, Point2d> read_joints(const fs::path& folder, int width, int height) {
     const std::string file = (folder / config_name).string();
-#ifdef PANTIN_YAML
     return parse_joints(read_text(folder / config_name, std::size_t{1} << 20), file, width, height);
-#else
-    static_cast<void>(width), static_cast<void>(height);
-    throw Error(ErrorKind::input, file + ": this pantin was built without YAML");
-#endif
 }
 
 LabelMap labels_from_joints(const Mask& mask, const std::map<std::string, Point2d>& joints) {

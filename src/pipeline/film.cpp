@@ -36,7 +36,7 @@ void write_frames(const fs::path& folder, const std::vector<RgbaImage>& frames) 
 bool wants(const RenderRequest& request, const std::string& format, bool first) {
     if (!request.formats.empty())
         return std::find(request.formats.begin(), request.formats.end(), format) != request.formats.end();
-    if (format == "webp") return webp_available();
+    if (format == "webp" || format == "apng") return webp_available() == (format == "webp");
     return format == "gif" && first && gif_available();
 }
 
