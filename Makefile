@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
 # Pantin. `make demo` and `make test` do everything on a fresh Debian 12, set-up included.
 #   config=release|debug|sanitize   objects and programs go to build/$(config)/
-#   GLPK=0 WEBP=0 GIF=0 YAML=0 PUGIXML=0 CGAL=0   build without that library (the tests need pugixml)
+#   GLPK=0 WEBP=0 GIF=0 YAML=0 PUGIXML=0 CGAL=0   build without that library; =1: stop when it is not there
 #   STATIC=1                        one static binary, build/release-static/pantin
 #   werror=1                        warnings are errors (CI);    CXX=clang++  another compiler
+#   CPPFLAGS= CXXFLAGS= LDFLAGS= LDLIBS=   are added to ours
 #   V=1                             shows the commands
+# What depends on a switch is made again when it changes; nothing asks for `make clean`.
 
 config ?= release
 BUILD ?= build/$(config)$(if $(filter 1,$(STATIC)),-static)
@@ -12,117 +14,155 @@ PREFIX ?= /usr/local
 DESTDIR ?=
 INSTALL ?= install
 AR ?= ar
-VERSION := 0.1.0
-DATE := 2026-11-28# of the man pages
+VERSION := $(shell sed -n 's/^.define PANTIN_VERSION_[MP][A-Z]* //p' include/pantin/version.hpp | paste -sd.)
 
-ifeq ($(V),1)
-  run =
-else
-  run = @printf '  %-4s %s\n' $(1) $@;
+# `$(call run,WORD)` opens a command line: shows WORD and the target, or with V=1 the command. The first one says before which
+# libraries are in.
+run = $(say_libraries)$(if $(filter 1,$(V)),,@printf '  %-4s %s\n' $(1) $@;)
+
+# --- optional libraries ----------------------------------------------------------------------------------------------------------
+# Each has one folder. All code that touches the library is in there, beside absent.cpp, which defines the same functions for a
+# build without it. One or the other is compiled: no macro, no other place. Callers ask X_available().
+comma := ,
+LIBRARIES := GLPK WEBP GIF YAML PUGIXML CGAL
+GLPK_folder := src/identification/glpk
+GLPK_header := glpk.h
+GLPK_libs := -lglpk
+WEBP_folder := src/export/webp
+WEBP_header := webp/mux.h
+WEBP_libs := -lwebpmux -lwebpdemux -lwebp
+GIF_folder := src/export/gif
+GIF_header := gif_lib.h
+GIF_libs := -lgif
+YAML_folder := src/core/yaml
+YAML_header := yaml-cpp/yaml.h
+YAML_libs := -lyaml-cpp
+PUGIXML_folder := src/modeling/pugixml
+PUGIXML_header := pugixml.hpp
+PUGIXML_libs := -lpugixml
+# Only tests compare with CGAL: the program never contains it, nothing installs it, and instrumenting it tells nothing.
+CGAL_folder := tests/modeling/cgal
+CGAL_header := CGAL/version.h
+CGAL_libs := -lmpfr -lgmp
+ifeq ($(config),sanitize)
+  CGAL ?= 0
+endif
+ifeq ($(STATIC),1)
+  GLPK_libs += -lamd -lcolamd -lsuitesparseconfig -lgmp -lz
 endif
 
-have = $(shell printf '\#include <stdio.h>\n\#include <$(1)>\n' | $(CXX) -E -x c++ - >/dev/null 2>&1 && echo 1)
-have_cxx = $(shell printf '\#include <$(1)>\n' | $(CXX) -E -x c++ - >/dev/null 2>&1 && echo 1)
-GLPK ?= $(call have,glpk.h)
-WEBP ?= $(call have,webp/mux.h)
-GIF ?= $(call have,gif_lib.h)
-YAML ?= $(call have_cxx,yaml-cpp/yaml.h)
-PUGIXML ?= $(call have_cxx,pugixml.hpp)
-# Only tests compare with CGAL: nothing installs it, and instrumenting it tells nothing.
-CGAL ?= $(if $(filter sanitize,$(config)),0,$(and $(call have,gmp.h),$(call have_cxx,CGAL/version.h)))
+# $(call have,HEADER,LIBRARIES): 1 when both are there, else empty. make 4.3 hands the backslash of an escaped # on to the shell,
+# so it goes through a variable; a test (tests/cli/make_test.cpp) proves that the answer can be no.
+hash := \#
+have = $(shell { printf '$(hash)if !__has_include(<$(1)>)\n$(hash)error\n$(hash)endif\nint main() {}\n' | \
+    $(CXX) $(CPPFLAGS) -x c++ - $(LDFLAGS) $(if $(filter 1,$(STATIC)),-static) $(2) -o /dev/null && echo 1; } 2>/dev/null)
+# Set by the user or found; what the user wants and is not there is said by the first command that needs it.
+define detect
+ifeq ($(strip $($(1))),)
+  override $(1) := $(if $(call have,$($(1)_header),$($(1)_libs)),1,0)
+else ifneq ($(filter-out 0 1,$($(1))),)
+  $$(error $(1) must be 0 or 1, not '$($(1))')
+else ifeq ($($(1)),1)
+  $(1)_missing := $(if $(call have,$($(1)_header),$($(1)_libs)),,$(1))
+endif
+endef
+ifneq ($(filter-out demo test sanitize deps clean uninstall install-files format check-format,$(or $(MAKECMDGOALS),all)),)
+  $(foreach library,$(LIBRARIES),$(eval $(call detect,$(library))))
+endif
+with = $(strip $(foreach library,$(LIBRARIES),$(if $(filter $(1),$($(library))),$(library))))
+libraries_line = optional libraries: $(or $(call with,1),none)$(if $(call with,0),; without $(call with,0))
+complain = $(error $(1)=1, but <$($(1)_header)> or $($(1)_libs) is not installed (tools/install_deps.sh names the package))
+say_libraries = $(foreach library,$(LIBRARIES),$(foreach name,$($(library)_missing),$(call complain,$(name))))$(info $(libraries_line))$(eval say_libraries :=)
 
-# Determinism: no contraction of a*b+c, no fast-math, on any compiler (docs/determinism.md).
-CPPFLAGS += -Iinclude -Isrc -Itools -isystem /usr/include/eigen3 -DPANTIN_VERSION='"$(VERSION)"' \
-            -DEIGEN_DONT_VECTORIZE -DEIGEN_DONT_PARALLELIZE -DEIGEN_MPL2_ONLY
-CXXFLAGS += -std=c++20 -Wall -Wextra -ffp-contract=off -ffile-prefix-map=$(CURDIR)=. -pthread
-LDFLAGS += -pthread
-LDLIBS :=
+# --- flags -----------------------------------------------------------------------------------------------------------------------
+cppflags := -Iinclude -Isrc -Itools -isystem /usr/include/eigen3 -DEIGEN_DONT_VECTORIZE -DEIGEN_DONT_PARALLELIZE -DEIGEN_MPL2_ONLY
+cxxflags := -std=c++20 -Wall -Wextra -ffile-prefix-map=$(CURDIR)=. -pthread
+ldflags := -pthread
+# Determinism: no contraction of a*b+c, no fast-math, on any compiler, after whatever flags a user adds (docs/determinism.md).
+exact := -ffp-contract=off -fno-fast-math
 
 ifeq ($(config),release)
-  CXXFLAGS += -O2
+  cxxflags += -O2
 else ifeq ($(config),debug)
-  CXXFLAGS += -O0 -g
+  cxxflags += -O0 -g
 else ifeq ($(config),sanitize)
   # g++ 12 reports false maybe-uninitialized reads in <regex> once the sanitizers are on.
-  CXXFLAGS += -Wno-unknown-warning-option -Wno-maybe-uninitialized
+  cxxflags += -Wno-unknown-warning-option -Wno-maybe-uninitialized
   # Line tables are all that the reports need; full debug information doubles the time to compile.
-  CXXFLAGS += -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
-  LDFLAGS += -fsanitize=address,undefined
+  cxxflags += -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+  ldflags += -fsanitize=address,undefined
 else
   $(error config must be release, debug or sanitize, not '$(config)')
 endif
 ifeq ($(werror),1)
-  CXXFLAGS += -Werror
+  cxxflags += -Werror
 endif
 ifeq ($(STATIC),1)
-  CPPFLAGS += -DPANTIN_STATIC=1
-  LDFLAGS += -static
+  ldflags += -static $(if $(filter 1,$(GLPK)),-Wl$(comma)-u$(comma)lt_dlinit)
 endif
-ifeq ($(GLPK),1)
-  CPPFLAGS += -DPANTIN_GLPK=1
-  LDLIBS += -lglpk
-  ifeq ($(STATIC),1)
-    LDLIBS += -lamd -lcolamd -lsuitesparseconfig -lgmp -lz
-    LDFLAGS += -Wl,-u,lt_dlinit
-  endif
-endif
-ifeq ($(WEBP),1)
-  CPPFLAGS += -DPANTIN_WEBP=1
-  LDLIBS += -lwebpmux -lwebpdemux -lwebp
-endif
-ifeq ($(GIF),1)
-  CPPFLAGS += -DPANTIN_GIF=1
-  LDLIBS += -lgif
-endif
+libs := $(foreach library,$(filter-out CGAL,$(call with,1)),$($(library)_libs))
+compile = $(CXX) $(cppflags) $(CPPFLAGS) $(cxxflags) $(CXXFLAGS) $(exact)
+link = $(CXX) $(ldflags) $(LDFLAGS) -o $@ $(filter %.o %.a,$^)
 
-ifeq ($(PUGIXML),1)
-  CPPFLAGS += -DPANTIN_PUGIXML=1
-  LDLIBS += -lpugixml
+# Tests take longer to compile than to run, but for those that compute what they check; so does what calls the steps and reads
+# and writes files, once it is instrumented. Where films and networks spend their time the sanitizers pay off optimised.
+computing_tests := geometry identification modeling network skeletonization
+glue := cli/% evaluation/% pipeline/% modeling/pugixml/% modeling/strokes_% modeling/svg_path
+hot := animation/rasteriser network/kernel_%
+objects = $(patsubst %,$(BUILD)/src/%.o,$(1))
+$(BUILD)/tests/%.o: cppflags += -Itests
+$(BUILD)/tests/%.o: cxxflags += -O0
+ifeq ($(config),release)
+$(foreach module,$(computing_tests),$(BUILD)/tests/$(module)/%.o): cxxflags += -O1
+else ifeq ($(config),sanitize)
+$(call objects,$(glue)): cxxflags += -O0
+$(call objects,$(hot)): cxxflags += -O2
+$(BUILD)/tests/main.o: cxxflags += -fno-sanitize=all # Catch2 alone
 endif
-ifeq ($(YAML),1)
-  CPPFLAGS += -DPANTIN_YAML=1
-  LDLIBS += -lyaml-cpp
-endif
+# CGAL's interval arithmetic changes the rounding mode; g++ 12 reports false maybe-uninitialized reads in its headers.
+$(BUILD)/tests/modeling/cgal/%.o: cxxflags += -O1 -frounding-math -Wno-unknown-warning-option -Wno-maybe-uninitialized
 
-SOURCES := $(sort $(wildcard src/*/*.cpp src/*/*/*.cpp))
-ifeq ($(CGAL),1)
-  SOURCES := $(filter-out src/modeling/exact_union_unavailable.cpp,$(SOURCES))
-  CGAL_LDLIBS := -lmpfr -lgmp
-else
-  SOURCES := $(filter-out src/modeling/cgal/%,$(SOURCES))
-endif
-ifneq ($(GLPK),1)
-  SOURCES := $(filter-out src/identification/glpk/%,$(SOURCES))
-endif
-ifneq ($(PUGIXML),1)
-  SOURCES := $(filter-out src/modeling/strokes_svg.cpp,$(SOURCES))
-endif
-LIB_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out src/cli/main.cpp,$(SOURCES))) $(BUILD)/resources.o
-DOODLE_SOURCES := $(sort $(wildcard tools/doodle/*.cpp))
-DOODLE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out tools/doodle/main.cpp,$(DOODLE_SOURCES)))
-TEST_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tests/*.cpp tests/*/*.cpp)))
-BENCH_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/bench/*.cpp)))
-COMPARE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/compare/*.cpp)))
-TORCH_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out tools/compare_torch/main.cpp,$(sort $(wildcard tools/compare_torch/*.cpp))))
-FIGURE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out tools/figures/main.cpp,$(sort $(wildcard tools/figures/*.cpp))) tools/bench/timing.cpp)
-EVALUATE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard tools/identification/*.cpp)))
+# --- sources ---------------------------------------------------------------------------------------------------------------------
+left_out := $(foreach library,$(LIBRARIES),$($(library)_folder)/$(if $(filter 1,$($(library))),absent.cpp,%))
+left_out += $(if $(filter 1,$(STATIC)),,src/core/static_program/%)
+absent := $(foreach library,$(call with,0),$($(library)_folder)/absent.cpp)
+# $(call objects_of,FOLDERS): of all their sources, but for main.cpp
+objects_of = $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out %/main.cpp,$(filter-out $(left_out),$(sort $(wildcard \
+    $(foreach folder,$(1),$(folder)/*.cpp $(folder)/*/*.cpp $(folder)/*/*/*.cpp)))) $(filter $(addsuffix /%,$(1)),$(absent))))
+LIB_OBJECTS := $(call objects_of,src) $(BUILD)/resources.o
+DOODLE_OBJECTS := $(call objects_of,tools/doodle)
+TORCH_OBJECTS := $(call objects_of,tools/compare_torch)
+FIGURE_OBJECTS := $(call objects_of,tools/figures) $(BUILD)/tools/bench/timing.o
+TEST_OBJECTS := $(call objects_of,tests) $(BUILD)/tests/main.o
+BENCH_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tools/bench/*.cpp))
+COMPARE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tools/compare/*.cpp))
+EVALUATE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tools/identification/*.cpp))
 RESOURCES := $(sort $(wildcard weights/*.safetensors references/*.json src/explain/assets/*.* src/explain/assets/*/*.*))
 VECTORS := $(sort $(shell find testdata/vectors)) # folders, too, so that a file that goes away counts
 # The folder $(2) of $(1) as an archive whose bytes depend on its files alone.
 pack = tar -C $(1) --format=ustar --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX -cf - $(2) | gzip -9 -n
 
-.PHONY: verify update-verify verify-arm64 vectors vectors-files test-web all demo demo-run test test-run sanitize bench figures results install install-files uninstall clean deps doodle check-gltf
+
+.PHONY: all FORCE demo demo-run test test-run sanitize deps doodle libraries bench figures results verify update-verify verify-arm64 \
+    vectors vectors-files test-web check-gltf install install-files uninstall clean format check-format tidy compile_commands.json
 all: $(BUILD)/pantin
 
 # Set-up happens in a first make, so that the second one sees the libraries that were just installed. The second one uses
-# all cores unless -j was given.
+# all cores unless -j was given. `make -j demo test` does one after the other: both build the same files.
 jobs = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell nproc 2>/dev/null || echo 2))
+ifneq ($(filter demo test sanitize,$(MAKECMDGOALS)),)
+.NOTPARALLEL:
+endif
 demo: deps
 	@$(MAKE) $(jobs) --no-print-directory demo-run
 test: deps
 	@$(MAKE) $(jobs) --no-print-directory test-run
 deps:
-	@tools/install_deps.sh
+	@$(foreach library,$(LIBRARIES),$(library)=$($(library))) CXX='$(CXX)' tools/install_deps.sh
+
+# Which optional libraries this machine has, as a build would take them.
+libraries:
+	$(say_libraries)@:
 
 demo-run: $(BUILD)/pantin
 	$(BUILD)/pantin animate testdata/demo.png -o out/demo
@@ -179,48 +219,39 @@ check-gltf: demo
 test-web: $(BUILD)/pantin
 	tools/web/check_page.sh $(BUILD)/pantin out/web
 
-$(BUILD)/pantin: $(BUILD)/src/cli/main.o $(BUILD)/libpantin.a
-	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
-$(BUILD)/libpantin.a: $(LIB_OBJECTS)
+# --- what is made of what --------------------------------------------------------------------------------------------------------
+# A stamp is a file that holds its text, and is written anew only when that differs: what depends on it is made again exactly then.
+same = $(if $(subst x$(1)x,,x$(2)x),,1)
+stamp = $(if $(call same,$(file <$@),$(1)),,$(shell mkdir -p $(@D))$(file >$@,$(1)))@:
+# Target-specific flags follow from the rules of this file, so this one line stands for all objects.
+$(BUILD)/compile.stamp: FORCE
+	$(call stamp,$(subst $(CURDIR),.,$(compile)))
+$(BUILD)/libpantin.stamp: FORCE
+	$(call stamp,$(AR) $(LIB_OBJECTS))
+
+$(BUILD)/libpantin.a: $(LIB_OBJECTS) $(BUILD)/libpantin.stamp
 	@rm -f $@
-	$(call run,AR)$(AR) rcsD $@ $^
-$(BUILD)/doodle: $(BUILD)/tools/doodle/main.o $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
-	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
-$(BUILD)/pantin-tests: $(TEST_OBJECTS) $(DOODLE_OBJECTS) $(FIGURE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/libpantin.a
-	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS) $(CGAL_LDLIBS)
-$(BUILD)/tests/%.o: CPPFLAGS += -Itests
-# Tests take longer to compile than to run, but for those that compute what they check; so does what calls the steps and reads
-# and writes files, once it is instrumented. Where films and networks spend their time the sanitizers pay off optimised.
-computing_tests = geometry identification modeling network skeletonization
-glue = cli/% evaluation/% pipeline/% modeling/strokes_% modeling/svg_path
-hot = animation/rasteriser network/kernel_%
-objects = $(patsubst %,$(BUILD)/src/%.o,$(1))
-$(BUILD)/tests/%.o: CXXFLAGS += -O0
-ifeq ($(config),release)
-$(foreach room,$(computing_tests),$(BUILD)/tests/$(room)/%.o): CXXFLAGS += -O1
-endif
-$(BUILD)/src/cli/manual.o: CPPFLAGS += -DPANTIN_DATE='"$(DATE)"'
-# CGAL's interval arithmetic changes the rounding mode; g++ 12 reports false maybe-uninitialized reads in its headers.
-$(BUILD)/src/modeling/cgal/%.o: CXXFLAGS += -O1 -frounding-math -Wno-unknown-warning-option -Wno-maybe-uninitialized
-ifeq ($(config),sanitize)
-$(call objects,$(glue)): CXXFLAGS += -O0
-$(call objects,$(hot)): CXXFLAGS += -O2
-$(BUILD)/tests/main.o: CXXFLAGS += -fno-sanitize=all # Catch2 alone
-endif
-$(BUILD)/bench: $(BENCH_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
-	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+	$(call run,AR)$(AR) rcsD $@ $(LIB_OBJECTS)
 
-$(BUILD)/figures: $(BUILD)/tools/figures/main.o $(FIGURE_OBJECTS) $(DOODLE_OBJECTS) $(BUILD)/libpantin.a
-	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
-$(BUILD)/compare_reference: $(COMPARE_OBJECTS) $(BUILD)/libpantin.a
-	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
-$(BUILD)/compare_torch: $(BUILD)/tools/compare_torch/main.o $(TORCH_OBJECTS) $(BUILD)/libpantin.a
-	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
-$(BUILD)/evaluate_identification: $(EVALUATE_OBJECTS) $(BUILD)/libpantin.a
-	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
-
-$(BUILD)/motion_quality: $(BUILD)/tools/motion_quality/main.o $(BUILD)/libpantin.a
-	$(call run,LINK)$(CXX) $(LDFLAGS) -o $@ $^ $(LDLIBS)
+# $(call program,NAME,OBJECTS,LIBRARIES)
+define program
+$(BUILD)/$(1).stamp: FORCE
+	$$(call stamp,$(CXX) $(ldflags) $(LDFLAGS) $(2) $(3) $(libs) $(LDLIBS))
+$(BUILD)/$(1): $(2) $(BUILD)/libpantin.a $(BUILD)/$(1).stamp
+	$$(call run,LINK)$$(link) $(3) $(libs) $(LDLIBS)
+ALL_OBJECTS += $(2)
+endef
+ALL_OBJECTS := $(LIB_OBJECTS)
+$(eval $(call program,pantin,$(BUILD)/src/cli/main.o))
+$(eval $(call program,pantin-tests,$(TEST_OBJECTS) $(DOODLE_OBJECTS) $(FIGURE_OBJECTS) $(TORCH_OBJECTS),$(if $(filter 1,$(CGAL)),$(CGAL_libs))))
+$(eval $(call program,doodle,$(BUILD)/tools/doodle/main.o $(DOODLE_OBJECTS)))
+$(eval $(call program,bench,$(BENCH_OBJECTS) $(DOODLE_OBJECTS)))
+$(eval $(call program,figures,$(BUILD)/tools/figures/main.o $(FIGURE_OBJECTS) $(DOODLE_OBJECTS)))
+$(eval $(call program,compare_reference,$(COMPARE_OBJECTS)))
+$(eval $(call program,compare_torch,$(BUILD)/tools/compare_torch/main.o $(TORCH_OBJECTS)))
+$(eval $(call program,evaluate_identification,$(EVALUATE_OBJECTS)))
+$(eval $(call program,motion_quality,$(BUILD)/tools/motion_quality/main.o))
+ALL_OBJECTS := $(sort $(ALL_OBJECTS))
 
 # Weights and references are compiled in, so that the program is one file that runs anywhere.
 $(BUILD)/resources.S: tools/embed.sh $(RESOURCES) $(BUILD)/vectors.tar.gz Makefile
@@ -229,13 +260,33 @@ $(BUILD)/resources.S: tools/embed.sh $(RESOURCES) $(BUILD)/vectors.tar.gz Makefi
 $(BUILD)/vectors.tar.gz: $(VECTORS) Makefile
 	@mkdir -p $(@D)
 	$(call run,DATA)$(call pack,testdata,vectors) > $@.tmp && mv $@.tmp $@
-$(BUILD)/resources.o: $(BUILD)/resources.S
+$(BUILD)/resources.o: $(BUILD)/resources.S $(BUILD)/compile.stamp
 	$(call run,AS)$(CXX) -c -o $@ $<
 
-$(BUILD)/%.o: %.cpp
+$(BUILD)/%.o: %.cpp $(BUILD)/compile.stamp
 	@mkdir -p $(@D)
-	$(call run,CXX)$(CXX) $(CPPFLAGS) $(CXXFLAGS) $(FILE_FLAGS) -MMD -MP -c -o $@ $<
--include $(patsubst %.o,%.d,$(LIB_OBJECTS) $(DOODLE_OBJECTS) $(TEST_OBJECTS) $(BENCH_OBJECTS) $(COMPARE_OBJECTS) $(FIGURE_OBJECTS) $(EVALUATE_OBJECTS) $(TORCH_OBJECTS) $(BUILD)/tools/compare_torch/main.o $(BUILD)/src/cli/main.o $(BUILD)/tools/doodle/main.o $(BUILD)/tools/figures/main.o $(BUILD)/tools/motion_quality/main.o)
+	$(call run,CXX)$(compile) -MMD -MP -c -o $@ $<
+-include $(ALL_OBJECTS:.o=.d)
+
+# --- the source -------------------------------------------------------------------------------------------------------------------
+# How each file is compiled, for editors and clang-tidy.
+json = $(subst ",\",$(subst \,\\,$(1)))
+entry = {"directory": "$(CURDIR)", "file": "$(1)", "command": "$(call json,$(compile) $(if $(filter tests/%,$(1)),-Itests) -c $(1))"}
+compile_commands.json:
+	$(file >$@,[)$(foreach object,$(filter-out $(BUILD)/resources.o,$(ALL_OBJECTS)),$(file >>$@,$(call \
+	    entry,$(patsubst $(BUILD)/%.o,%.cpp,$(object)))$(if $(filter $(object),$(lastword $(ALL_OBJECTS))),,$(comma))))$(file >>$@,])@:
+tidy: compile_commands.json
+	find src include tools -name '*.cpp' | LC_ALL=C sort | xargs -P $(shell nproc) -n 1 clang-tidy -p . --quiet
+
+# clang-format of Debian 12 (14); another release formats differently.
+CLANG_FORMAT ?= clang-format-14
+formatted = find include src tests tools docs -name '*.[ch]pp' -print0 | xargs -0 $(CLANG_FORMAT)
+format:
+	@tools/install_deps.sh format
+	$(formatted) -i
+check-format:
+	@tools/install_deps.sh format
+	$(formatted) --dry-run -Werror
 
 # What stands where: program, library, headers, man pages, completion, pkg-config.
 share = $(DESTDIR)$(PREFIX)/share
@@ -248,7 +299,7 @@ install-files:
 	$(INSTALL) -m 644 $(BUILD)/libpantin.a $(DESTDIR)$(PREFIX)/lib/libpantin.a
 	$(INSTALL) -m 644 include/pantin/*.hpp $(DESTDIR)$(PREFIX)/include/pantin/
 	printf 'prefix=%s\nName: pantin\nDescription: drawings of characters come alive\nVersion: %s\nCflags: -I$${prefix}/include\nLibs: -L$${prefix}/lib -lpantin -pthread %s\n' \
-	    '$(PREFIX)' '$(VERSION)' '$(LDLIBS) $(CGAL_LDLIBS)' > $(DESTDIR)$(PREFIX)/lib/pkgconfig/pantin.pc
+	    '$(PREFIX)' '$(VERSION)' '$(libs) $(LDLIBS)' > $(DESTDIR)$(PREFIX)/lib/pkgconfig/pantin.pc
 	$(BUILD)/pantin manual -o $(share)/man/man1
 	$(BUILD)/pantin completion bash > $(DESTDIR)$(PREFIX)/$(word 1,$(completions))
 	$(BUILD)/pantin completion zsh > $(DESTDIR)$(PREFIX)/$(word 2,$(completions))
@@ -258,4 +309,4 @@ uninstall:
 	rm -f $(share)/man/man1/pantin.1 $(share)/man/man1/pantin-*.1 $(addprefix $(DESTDIR)$(PREFIX)/,$(completions))
 	rm -rf $(DESTDIR)$(PREFIX)/include/pantin
 clean:
-	rm -rf build out
+	rm -rf build out compile_commands.json

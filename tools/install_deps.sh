@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Installs what the build needs on Debian 12, when something is missing. Quiet when nothing is.
+# Installs what is missing on Debian 12; quiet when nothing is. tools/install_deps.sh [build|format|tidy|bare-machine]; a library
+# that the environment switches off (GLPK=0 ...) is left out.
 set -eu
 missing=""
 need() { # need FILE PACKAGE

@@ -68,12 +68,6 @@ struct UnionOptions {
 // the parts' distances on a body-centred cubic grid, by marching tetrahedra (Doi & Koide 1991). Canvas units.
 // Error(input) when parts are too thin or too far apart for one grid. RealSkel 4.1 (errata 29).
 SolidMesh unite(const std::vector<InflatedPart>& parts, const UnionOptions& options = {});
-// The same by exact arithmetic on the parts' own surfaces (CGAL's polygon mesh processing), to compare with;
-// coordinates are rounded at the end, SolidMesh::parts stays empty. Error(usage) in a build without CGAL;
-// Error(input) when parts touch without overlapping, so that their union is no manifold.
-SolidMesh unite_exactly(const std::vector<InflatedPart>& parts);
-// Whether this build has unite_exactly(). No error. Own.
-bool exact_union_available();
 
 // --- the model ---------------------------------------------------------------------------------------------
 

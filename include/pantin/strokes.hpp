@@ -95,6 +95,8 @@ Strokes with_calls(Strokes strokes, const std::string& text, const std::string& 
 // (docs/modeling.md, "SVG strokes"); canvas units are the SVG's user units. Error(input) names `file` and
 // what is wrong; Error(usage) in a build without pugixml. Own, by SVG 2 (W3C 2018).
 Strokes strokes_from_svg(const std::string& text, const std::string& file);
+// Whether this build has strokes_from_svg(). No error. Own.
+bool svg_available();
 
 // The label that a part's name asks for: "left_wing" wing, "ear" head, "body" body, "claw" limb; limb when no
 // word of it is known. No error. Own.

@@ -12,6 +12,11 @@
 #endif
 
 #include "cli/command.hpp"
+#include "core/yaml.hpp"
+#include "pantin/export.hpp"
+#include "pantin/identification.hpp"
+#include "pantin/strokes.hpp"
+#include "pantin/version.hpp"
 
 namespace {
 
@@ -25,6 +30,19 @@ constexpr const char* exit_codes =
     "Exit codes: 0 done, 1 internal error, 2 usage, 3 input unreadable or invalid,\n"
     "4 no character found, 5 weights missing or invalid, 6 output cannot be written,\n"
     "7 characters found but none could be animated, 8 results differ (verify).";
+
+// "pantin 0.1.0", and which optional libraries are linked in.
+std::string version_text() {
+    std::string with, without;
+    for (const auto& [name, available] : {std::pair{"GLPK", ilp_available()},
+                                          {"WebP", webp_available()},
+                                          {"GIF", gif_available()},
+                                          {"yaml-cpp", yaml_available()},
+                                          {"pugixml", svg_available()}})
+        (available ? with : without) += std::string(" ") + name;
+    return "pantin " PANTIN_VERSION "\nwith:" + (with.empty() ? " no optional library" : with) +
+           (without.empty() ? "" : "\nwithout:" + without);
+}
 
 // Help and version go to standard output, everything else that CLI11 reports is a usage error.
 int report_parse(const CLI::App& app, const CLI::ParseError& error) {
@@ -41,7 +59,7 @@ int report_parse(const CLI::App& app, const CLI::ParseError& error) {
 int run_command_line(int argc, char** argv) {
     CLI::App app("pantin: a drawing of a character goes in, an animated character comes out", "pantin");
     cli::Run run;
-    app.set_version_flag("--version", std::string("pantin " PANTIN_VERSION));
+    app.set_version_flag("--version", version_text());
     app.require_subcommand(1);
     app.footer(exit_codes);
     cli::add_animate(app, run);

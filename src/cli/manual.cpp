@@ -5,6 +5,7 @@
 
 #include "cli/command.hpp"
 #include "core/file.hpp"
+#include "pantin/version.hpp"
 
 namespace pantin::cli {
 
@@ -72,7 +73,8 @@ std::string page(const CLI::App& app, const CLI::App& command, bool whole) {
     std::replace(dashed.begin(), dashed.end(), ' ', '-');
     for (const char c : dashed) title += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
     std::string text = ".TH \"" + escaped(title) +
-                       "\" 1 \"" PANTIN_DATE "\" \"pantin " PANTIN_VERSION "\" \"Pantin\"\n.SH NAME\n" +
+                       "\" 1 \"" PANTIN_RELEASE_DATE "\" \"pantin " PANTIN_VERSION
+                       "\" \"Pantin\"\n.SH NAME\n" +
                        escaped(dashed) + " \\- " + escaped(command.get_description()) + "\n.SH SYNOPSIS\n" +
                        synopsis(command, name) + "\n";
     if (whole) {

@@ -10,6 +10,7 @@
 #include "explain/svg.hpp"
 #include "formats/file_names.hpp"
 #include "pantin/explain.hpp"
+#include "pantin/version.hpp"
 
 namespace pantin {
 

@@ -17,13 +17,15 @@ struct DecodedFilm {
     bool disposes_to_background = true; // GIF: every frame
 };
 
-// Error(input) names `source` when the bytes are damaged. GIF frames are taken as whole pictures, which is
-// how encode_gif makes them.
-#ifdef PANTIN_WEBP
+// A film's bytes to its frames. Error(input) names `source` when the bytes are damaged, or when this program
+// was built without the library (webp_available, gif_available). GIF frames are taken as whole pictures,
+// which is how encode_gif makes them.
 DecodedFilm decode_webp(std::span<const unsigned char> bytes, const std::string& source);
-#endif
-#ifdef PANTIN_GIF
 DecodedFilm decode_gif(std::span<const unsigned char> bytes, const std::string& source);
-#endif
+
+// For the decoders. Error(input): `source` is damaged or no `kind`.
+[[noreturn]] void damaged_film(const std::string& source, const char* kind);
+// Error(input) when a frame of width x height pixels is larger than any film of ours.
+void check_film_size(long width, long height, const std::string& source);
 
 } // namespace pantin

@@ -45,10 +45,10 @@ constexpr auto never = FilmFormat::Default::never, first_clip = FilmFormat::Defa
 
 constexpr std::array formats = {
     FilmFormat{"webp", ".webp", every_clip, write_encoded<encode_webp>, nullptr, webp_available,
-               "this pantin was built without WebP"},
+               "this pantin was built without WebP (make WEBP=1)"},
     FilmFormat{"gif", ".gif", first_clip, write_encoded<encode_gif>, nullptr, gif_available,
-               "this pantin was built without GIF"},
-    FilmFormat{"apng", ".apng", never, write_encoded<encode_apng>},
+               "this pantin was built without GIF (make GIF=1)"},
+    FilmFormat{"apng", ".apng", FilmFormat::Default::fallback, write_encoded<encode_apng>},
     FilmFormat{"mp4", ".mp4", never, write_mp4, nullptr, mp4_available,
                "there is no ffmpeg on this machine (Debian: apt-get install ffmpeg)"},
     FilmFormat{"png", "", never, write_frames},

@@ -15,7 +15,8 @@
 namespace pantin {
 
 struct FilmFormat {
-    enum class Default { never, first_clip, every_clip };
+    // `fallback`: every clip, where no other format of every clip is available.
+    enum class Default { never, first_clip, every_clip, fallback };
 
     std::string_view name;            // of `--format`
     std::string_view ending;          // of the file, with its dot; empty: a folder of frames

@@ -15,6 +15,7 @@
 #include "export/joints.hpp"
 #include "pantin/export.hpp"
 #include "pantin/image.hpp"
+#include "pantin/version.hpp"
 
 namespace pantin {
 

@@ -11,12 +11,32 @@ namespace pantin {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+bool every_clip_available() {
+    return std::ranges::any_of(film_formats(), [](const FilmFormat& f) {
+        return f.written == FilmFormat::Default::every_clip && is_available(f);
+    });
+}
+
+} // namespace
+
 bool wants(const RenderRequest& request, const FilmFormat& format, bool first) {
     if (!request.formats.empty())
         return std::find(request.formats.begin(), request.formats.end(), format.name) !=
                request.formats.end();
-    return is_available(format) && (format.written == FilmFormat::Default::every_clip ||
-                                    (first && format.written == FilmFormat::Default::first_clip));
+    if (!is_available(format)) return false;
+    switch (format.written) {
+    case FilmFormat::Default::never:
+        return false;
+    case FilmFormat::Default::first_clip:
+        return first;
+    case FilmFormat::Default::every_clip:
+        return true;
+    case FilmFormat::Default::fallback:
+        return !every_clip_available();
+    }
+    return false;
 }
 
 bool wants_pictures(const RenderRequest& request) {

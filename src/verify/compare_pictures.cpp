@@ -68,8 +68,7 @@ void compare_pictures(Differences& differences, const std::string& place, const 
 
 namespace {
 
-[[maybe_unused]] void compare_frames(Differences& differences, const DecodedFilm& first,
-                                     const DecodedFilm& second) {
+void compare_frames(Differences& differences, const DecodedFilm& first, const DecodedFilm& second) {
     const std::size_t frames = std::min(first.frames.size(), second.frames.size());
     if (first.frames.size() != second.frames.size())
         differences.text("", std::to_string(first.frames.size()) + " frames",
@@ -85,17 +84,12 @@ namespace {
 
 void compare_films(Differences& differences, const std::string& name, const std::string& first,
                    const std::string& second) {
-#ifdef PANTIN_WEBP
-    if (name.ends_with(".webp"))
+    if (name.ends_with(".webp") && webp_available())
         return compare_frames(differences, decode_webp(as_bytes(first), name),
                               decode_webp(as_bytes(second), name));
-#endif
-#ifdef PANTIN_GIF
-    if (name.ends_with(".gif"))
+    if (name.ends_with(".gif") && gif_available())
         return compare_frames(differences, decode_gif(as_bytes(first), name),
                               decode_gif(as_bytes(second), name));
-#endif
-    static_cast<void>(name);
     compare_bytes(differences, first, second); // no decoder in this build
 }
 

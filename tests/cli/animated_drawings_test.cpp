@@ -12,7 +12,6 @@
 using namespace pantin;
 using namespace pantin::test;
 
-#ifdef PANTIN_YAML
 namespace {
 
 namespace fs = std::filesystem;
@@ -55,7 +54,8 @@ TEST_CASE("A humanoid is written as AnimatedDrawings wants it", "[cli][animated-
     CHECK(inside >= 14); // of arms that are lines a joint may lie beside the ink
 }
 
-TEST_CASE("An AnimatedDrawings folder is animated with its mask and its joints", "[cli][animated-drawings]") {
+TEST_CASE("An AnimatedDrawings folder is animated with its mask and its joints",
+          "[cli][animated-drawings][needs-yaml]") {
     const TemporaryFolder folder;
     const Outcome outcome = run_pantin(animate(written().string(), folder / "out"));
     CAPTURE(outcome.err);
@@ -72,7 +72,8 @@ TEST_CASE("An AnimatedDrawings folder is animated with its mask and its joints",
     for (std::size_t i = 0; i < 4; ++i) CHECK(now[i] == Approx(then[i]).margin(0.08));
 }
 
-TEST_CASE("A damaged AnimatedDrawings folder is one line and exit code 3", "[cli][animated-drawings]") {
+TEST_CASE("A damaged AnimatedDrawings folder is one line and exit code 3",
+          "[cli][animated-drawings][needs-yaml]") {
     const TemporaryFolder folder;
     const fs::path copy = folder / "copy";
     const auto refused = [&](const std::string& config, const std::string& what) {
@@ -98,4 +99,3 @@ TEST_CASE("A damaged AnimatedDrawings folder is one line and exit code 3", "[cli
     const Outcome outcome = run_pantin(animate(copy.string(), folder / "out"));
     CHECK(outcome.code == 3);
 }
-#endif

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
+#include "pantin/export.hpp"
+#include "pantin/identification.hpp"
+#include "pantin/version.hpp"
 #include "support/folders.hpp"
 #include "support/program.hpp"
 
+using namespace pantin;
 using namespace pantin::test;
 
 namespace {
@@ -33,10 +37,15 @@ TEST_CASE("Every subcommand has its help", "[cli]") {
     }
 }
 
-TEST_CASE("The version is one line on standard output", "[cli]") {
+TEST_CASE("The version names the optional libraries", "[cli]") {
     const Outcome outcome = run_pantin({"--version"});
     CHECK(outcome.code == 0);
-    CHECK(outcome.out == "pantin " PANTIN_VERSION "\n");
+    CHECK(outcome.out.starts_with("pantin " PANTIN_VERSION "\nwith:"));
+    const auto named = [&](const char* library) {
+        return outcome.out.find(library) < outcome.out.find("without:");
+    };
+    CHECK(named("GLPK") == ilp_available());
+    CHECK(named("GIF") == gif_available());
     CHECK(outcome.err.empty());
 }
 

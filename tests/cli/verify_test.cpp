@@ -6,6 +6,7 @@
 
 #include "cli/demo.hpp"
 #include "pantin/image.hpp"
+#include "pantin/version.hpp"
 
 using namespace pantin;
 using namespace pantin::test;

@@ -151,11 +151,7 @@ TEST_CASE("ties are broken by the lexicographically smallest matching") {
     }
 }
 
-TEST_CASE("the literal program, the tightened program and branch and bound agree") {
-    if (!ilp_available()) {
-        CHECK_THROWS(geometric_graph_distance_ilp({}, {}, {}, IlpFormulation::literal));
-        return;
-    }
+TEST_CASE("the literal program, the tightened program and branch and bound agree", "[needs-glpk]") {
     Numbers numbers{2};
     for (int round = 0; round < 25; ++round) {
         const auto a = random_graph(numbers, 3 + numbers.below(3), 0.4),

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "modeling/cgal/unite_exactly.hpp"
 #include "modeling/solids.hpp"
 #include "modeling/surface_distance.hpp"
 #include "pantin/error.hpp"
@@ -13,12 +14,6 @@
 using namespace pantin;
 
 namespace {
-
-bool available() {
-    if (exact_union_available()) return true;
-    WARN("skipped: built without CGAL");
-    return false;
-}
 
 double height_of(const SolidMesh& mesh) { return test::highest(mesh).y - test::lowest(mesh).y; }
 
@@ -57,8 +52,7 @@ TEST_CASE("a build without CGAL says so") {
     }
 }
 
-TEST_CASE("exact unions follow the rule of sums exactly") {
-    if (!available()) return;
+TEST_CASE("exact unions follow the rule of sums exactly", "[needs-cgal]") {
     const Inflation large = inflate(test::disc({0, 0}, 50)), small = inflate(test::disc({0, 0}, 20));
     const double volume = test::volume_of(part_surface(large, 1, Frame{})),
                  less = test::volume_of(part_surface(small, 1, Frame{}));
@@ -73,8 +67,7 @@ TEST_CASE("exact unions follow the rule of sums exactly") {
     CHECK(unite_exactly({}).triangles.empty());
 }
 
-TEST_CASE("the union on the lattice is the exact one up to its cells") {
-    if (!available()) return;
+TEST_CASE("the union on the lattice is the exact one up to its cells", "[needs-cgal]") {
     Model model(test::model_strokes("deer"));
     const SolidMesh ours = model.united(), exact = unite_exactly(model.inflated());
     CHECK(test::surface_fault(exact) == "");
@@ -86,8 +79,8 @@ TEST_CASE("the union on the lattice is the exact one up to its cells") {
     CHECK(distance.largest < 0.02 * height_of(exact));
 }
 
-TEST_CASE("table of the nine models: the union on the lattice beside the exact one", "[.][exact-union]") {
-    if (!available()) return;
+TEST_CASE("table of the nine models: the union on the lattice beside the exact one",
+          "[.][exact-union][needs-cgal]") {
     std::printf("| model | volume, relative | mean distance | largest | triangles | time "
                 "|\n|---|---|---|---|---|---|\n");
     for (const std::string& name : test::model_names) {

@@ -10,11 +10,7 @@ namespace pantin::test {
 
 using Film = DecodedFilm;
 
-#ifdef PANTIN_WEBP
 inline Film read_webp(const std::vector<unsigned char>& bytes) { return decode_webp(bytes, "film.webp"); }
-#endif
-#ifdef PANTIN_GIF
 inline Film read_gif(const std::vector<unsigned char>& bytes) { return decode_gif(bytes, "film.gif"); }
-#endif
 
 } // namespace pantin::test

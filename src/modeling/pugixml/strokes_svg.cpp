@@ -437,6 +437,8 @@ private:
 
 } // namespace
 
+bool svg_available() { return true; }
+
 Strokes strokes_from_svg(const std::string& text, const std::string& file) {
     pugi::xml_document document;
     const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size());

@@ -6,8 +6,6 @@
 // kept to within half a frame. Pixels are transparent or opaque: the drawn colour where alpha ≥ ½.
 #include "pantin/export.hpp"
 
-#ifdef PANTIN_GIF
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -148,18 +146,3 @@ std::vector<unsigned char> encode_gif(const std::vector<RgbaImage>& frames, doub
 }
 
 } // namespace pantin
-
-#else
-
-#include "pantin/error.hpp"
-
-namespace pantin {
-
-bool gif_available() { return false; }
-std::vector<unsigned char> encode_gif(const std::vector<RgbaImage>&, double) {
-    throw Error(ErrorKind::usage, "this pantin was built without GIF (make GIF=1)");
-}
-
-} // namespace pantin
-
-#endif

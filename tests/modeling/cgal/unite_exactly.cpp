@@ -12,8 +12,8 @@
 #include <exception>
 #include <string>
 
+#include "modeling/cgal/unite_exactly.hpp"
 #include "pantin/error.hpp"
-#include "pantin/model.hpp"
 
 namespace pantin {
 namespace {

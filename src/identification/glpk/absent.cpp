@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Built without GLPK (`make GLPK=0`): the exact branch and bound serves alone.
-#ifndef PANTIN_GLPK
 #include "pantin/error.hpp"
 #include "pantin/identification.hpp"
 
@@ -15,4 +14,3 @@ GgdResult geometric_graph_distance_ilp(const LabelledGraph&, const LabelledGraph
 }
 
 } // namespace pantin
-#endif

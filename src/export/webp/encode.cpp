@@ -2,8 +2,6 @@
 // Animated WebP, lossless, with alpha (libwebp's WebPAnimEncoder).
 #include "pantin/export.hpp"
 
-#ifdef PANTIN_WEBP
-
 #include <memory>
 
 #include <webp/encode.h>
@@ -91,19 +89,3 @@ std::vector<unsigned char> encode_webp(const std::vector<RgbaImage>& frames, dou
 }
 
 } // namespace pantin
-
-#else
-
-#include "export/frame_times.hpp"
-#include "pantin/error.hpp"
-
-namespace pantin {
-
-bool webp_available() { return false; }
-std::vector<unsigned char> encode_webp(const std::vector<RgbaImage>&, double) {
-    throw Error(ErrorKind::usage, "this pantin was built without WebP (make WEBP=1)");
-}
-
-} // namespace pantin
-
-#endif

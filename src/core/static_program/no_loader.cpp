@@ -2,8 +2,6 @@
 // In a static program (`make STATIC=1`) nothing can be loaded at run time. GLPK would load database drivers
 // for its modelling language, which Pantin does not use; these take the place of libltdl's functions and say
 // that there are none.
-#ifdef PANTIN_STATIC
-
 extern "C" {
 int lt_dlinit() { return 1; }
 int lt_dlexit() { return 0; }
@@ -12,5 +10,3 @@ void* lt_dlsym(void*, const char*) { return nullptr; }
 int lt_dlclose(void*) { return 1; }
 const char* lt_dlerror() { return "this program is static"; }
 }
-
-#endif
