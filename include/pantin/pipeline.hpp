@@ -6,120 +6,14 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
-#include <mutex>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
-#include "pantin/animation.hpp"
-#include "pantin/detection.hpp"
 #include "pantin/error.hpp"
-#include "pantin/identification.hpp"
-#include "pantin/model.hpp"
+#include "pantin/networks.hpp"
+#include "pantin/options.hpp"
 #include "pantin/page.hpp"
-#include "pantin/rigging.hpp"
-#include "pantin/segmentation.hpp"
-#include "pantin/skeletonization.hpp"
+#include "pantin/settings.hpp"
 
 namespace pantin {
-
-// --- options -----------------------------------------------------------------------------------------------
-
-struct AnimationOptions {
-    int samples = 24; // key poses of a clip in character.glb and between which frames are interpolated
-    double motion_start = 0, motion_seconds = 12; // the part of a recorded motion that is used
-};
-
-// The options of all steps. Their names in a configuration file are `<group>.<field>` (docs/formats.md).
-struct Options {
-    DetectionOptions detection;
-    SegmentationOptions segmentation;
-    SkeletonizationOptions skeletonization;
-    IdentificationOptions identification;
-    RigOptions rigging;
-    ModelOptions modeling;
-    AnimationOptions animation;
-};
-
-// "default" or "thesis" (the thesis to the letter where it can be, with its errata applied).
-// Error(usage) for another name.
-Options make_preset(std::string_view name);
-// Sets the options that a JSON file names, as `{"skeletonization": {"residual_threshold": 20}}` or as
-// `{"skeletonization.residual_threshold": 20}`. Error(input) names the file and the option.
-void apply_config(Options& options, const std::filesystem::path& file);
-// The same with the JSON at hand; `source` stands for the file in messages.
-void apply_config_text(Options& options, const std::string& json, const std::string& source);
-// Every option with its value as JSON text, in a fixed order.
-std::vector<std::pair<std::string, std::string>> list_options(const Options& options);
-
-// An option that had another name; a configuration may use the former one for a release. No errors; own.
-struct RenamedOption {
-    std::string_view former, name;
-};
-std::span<const RenamedOption> renamed_options();
-
-// --- settings of a run -------------------------------------------------------------------------------------
-
-struct RenderRequest {
-    std::string clip = "all"; // a clip of the reference, or all
-    double fps = 25;          // 1 … 100
-    // Names of the table in src/export/film_formats.cpp; empty: webp, and gif for the first clip.
-    std::vector<std::string> formats;
-    bool scene = false; // `animate`: the whole page as one film, too
-    RenderOptions picture;
-};
-
-// Results of steps that the user gives; `animate` then skips those steps. Pictures have the page's size
-// (before `rotate`).
-struct Overrides {
-    std::filesystem::path mask; // grey PNG, the one character is where it is at least 128
-    std::filesystem::path
-        labels;            // grey PNG of label values; without a mask the character is where they are not 0
-    std::string reference; // name of the reference that every character moves like
-};
-
-struct Settings {
-    Options options;
-    Overrides overrides;
-    std::filesystem::path weights;    // folder of segmenter.safetensors; empty: compiled in
-    std::filesystem::path references; // folder of more reference skeletons; empty: none
-    std::filesystem::path mapping; // rig_folder: pairs as in mapping.json instead of matching; empty: match
-    std::filesystem::path
-        motion;         // a BVH file that humanoids follow, as one more clip of its name; empty: none
-    bool blend = false; // clips of the two best types are mixed
-    int rotate = 0;     // degrees by which a page is first turned clockwise: 0, 90, 180, 270
-    int threads = 1;    // results do not depend on it
-    bool animated_drawings = false; // humanoids are also written as AnimatedDrawings character folders
-    bool trace = false;             // intermediate products are written, too
-    RenderRequest render;
-    // Called before each step when set; `share` of the work done so far, 0 to 1.
-    std::function<void(const std::string& what, double share)> progress;
-    std::function<void(const std::string& line)> notice; // facts that the user wants to check
-};
-
-// --- networks ----------------------------------------------------------------------------------------------
-
-// Each is loaded when it is first asked for, and stays. Several threads may share them: a network does not
-// change when it is used.
-class Networks {
-public:
-    explicit Networks(std::filesystem::path weights = {}) : folder_(std::move(weights)) {} // as in Settings
-    // Error(weights) when the weights are missing or invalid; the next call tries again.
-    const CharacterFinder& finder();
-    const Segmenter& segmenter();
-
-private:
-    template <class Network> const Network& loaded(std::optional<Network>& network, const char* name);
-
-    std::filesystem::path folder_;
-    std::mutex mutex_; // while a network is loaded, so that it is loaded once
-    std::optional<CharacterFinder> finder_;
-    std::optional<Segmenter> segmenter_;
-};
 
 // --- the steps ---------------------------------------------------------------------------------------------
 

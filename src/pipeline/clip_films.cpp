@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "formats/file_names.hpp"
+#include "pantin/error.hpp"
 
 namespace pantin {
 

@@ -2,12 +2,10 @@
 // Step 6: which clips of a character are shown, from where, and under which names.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "pipeline/character.hpp"
-#include "pipeline/film.hpp"
 
 namespace pantin {
 

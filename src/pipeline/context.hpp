@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "pantin/motion.hpp"
-#include "pantin/pipeline.hpp"
+#include "pantin/networks.hpp"
+#include "pantin/settings.hpp"
 
 namespace pantin {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "export/film_formats.hpp"
-#include "pantin/pipeline.hpp"
+#include "pantin/settings.hpp"
 
 namespace pantin {
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The networks' weights: compiled in, or from a folder.
+#include "pantin/networks.hpp"
 #include "core/file.hpp"
 #include "core/resources.hpp"
-#include "pantin/pipeline.hpp"
+#include "pantin/error.hpp"
 
 namespace pantin {
 

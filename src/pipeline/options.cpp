@@ -9,7 +9,8 @@
 #include "core/file.hpp"
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
-#include "pantin/pipeline.hpp"
+#include "pantin/error.hpp"
+#include "pantin/options.hpp"
 
 namespace pantin {
 

@@ -5,7 +5,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "pantin/pipeline.hpp"
+#include "pantin/detection.hpp"
+#include "pantin/settings.hpp"
 
 namespace pantin {
 

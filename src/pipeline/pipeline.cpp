@@ -13,6 +13,7 @@
 #include "pipeline/animated_page.hpp"
 #include "pipeline/clip_films.hpp"
 #include "pipeline/detected_page.hpp"
+#include "pipeline/film.hpp"
 #include "pipeline/scene.hpp"
 
 namespace pantin {

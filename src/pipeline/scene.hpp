@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "pantin/page.hpp"
 #include "pipeline/character.hpp"
 
 namespace pantin {

@@ -88,8 +88,8 @@ TEST_CASE("feet that step go with the ground while they are down, and are lifted
     const Rig rig = rig_of(c);
     check_steps(rig, stepping(c.reference, 0.3, 0.6), 1e-3); // a sole follows the shin by 0.999
     ReferenceClip clip = stepping(c.reference, 0.2, 0.75);
-    clip.tracks.push_back(track_of(c.reference, "hips", "z", 2));
-    clip.tracks.push_back(track_of(c.reference, "chest", "z", 2));
+    clip.tracks.push_back(track_of(c.reference, "hips", TrackKind::z, 2));
+    clip.tracks.push_back(track_of(c.reference, "chest", TrackKind::z, 2));
     check_steps(rig, clip, 1e-3); // while the trunk sways
 }
 
@@ -127,7 +127,7 @@ TEST_CASE("planted feet stay where they are while the body sways, and leave the 
     ReferenceTrack bob = track_of(c.reference, "hips", TrackKind::ty, 0.02);
     bob.offset = -0.03; // every hip stays below its place at rest
     clip.tracks.push_back(bob);
-    clip.tracks.push_back(track_of(c.reference, "hips", "z", 1));
+    clip.tracks.push_back(track_of(c.reference, "hips", TrackKind::z, 1));
     const BoneAnimation swaying = retarget(rig, c.reference, clip, 32);
     CHECK(swaying.ground_speed == 0);
     for (const char* leg : legs)

@@ -13,6 +13,7 @@
 #include "formats/skeleton_file.hpp"
 #include "formats/voronoi_file.hpp"
 #include "formats/weights_file.hpp"
+#include "pantin/error.hpp"
 
 using namespace pantin;
 

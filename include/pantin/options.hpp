@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The options of all steps, their presets and their names in a configuration file (docs/formats.md,
+// "Configuration").
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "pantin/animation.hpp"
+#include "pantin/detection.hpp"
+#include "pantin/identification.hpp"
+#include "pantin/model.hpp"
+#include "pantin/rigging.hpp"
+#include "pantin/segmentation.hpp"
+#include "pantin/skeletonization.hpp"
+
+namespace pantin {
+
+struct AnimationOptions {
+    int samples = 24; // key poses of a clip in character.glb and between which frames are interpolated
+    double motion_start = 0, motion_seconds = 12; // the part of a recorded motion that is used
+};
+
+// The options of all steps. Their names in a configuration file are `<group>.<field>` (docs/formats.md).
+struct Options {
+    DetectionOptions detection;
+    SegmentationOptions segmentation;
+    SkeletonizationOptions skeletonization;
+    IdentificationOptions identification;
+    RigOptions rigging;
+    ModelOptions modeling;
+    AnimationOptions animation;
+};
+
+// "default" or "thesis" (the thesis to the letter where it can be, with its errata applied).
+// Error(usage) for another name.
+Options make_preset(std::string_view name);
+// Sets the options that a JSON file names, as `{"skeletonization": {"residual_threshold": 20}}` or as
+// `{"skeletonization.residual_threshold": 20}`. Error(input) names the file and the option.
+void apply_config(Options& options, const std::filesystem::path& file);
+// The same with the JSON at hand; `source` stands for the file in messages.
+void apply_config_text(Options& options, const std::string& json, const std::string& source);
+// Every option with its value as JSON text, in a fixed order.
+std::vector<std::pair<std::string, std::string>> list_options(const Options& options);
+
+// An option that had another name; a configuration may use the former one for a release. No errors; own.
+struct RenamedOption {
+    std::string_view former, name;
+};
+std::span<const RenamedOption> renamed_options();
+
+} // namespace pantin

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// What the user wants of a run, besides the options of the steps.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "pantin/animation.hpp"
+#include "pantin/options.hpp"
+
+namespace pantin {
+
+struct RenderRequest {
+    std::string clip = "all"; // a clip of the reference, or all
+    double fps = 25;          // 1 … 100
+    // Names of the table in src/export/film_formats.cpp; empty: webp, and gif for the first clip.
+    std::vector<std::string> formats;
+    bool scene = false; // `animate`: the whole page as one film, too
+    RenderOptions picture;
+};
+
+// Results of steps that the user gives; `animate` then skips those steps. Pictures have the page's size
+// (before `rotate`).
+struct Overrides {
+    std::filesystem::path mask; // grey PNG, the one character is where it is at least 128
+    std::filesystem::path
+        labels;            // grey PNG of label values; without a mask the character is where they are not 0
+    std::string reference; // name of the reference that every character moves like
+};
+
+struct Settings {
+    Options options;
+    Overrides overrides;
+    std::filesystem::path weights;    // folder of segmenter.safetensors; empty: compiled in
+    std::filesystem::path references; // folder of more reference skeletons; empty: none
+    std::filesystem::path mapping; // rig_folder: pairs as in mapping.json instead of matching; empty: match
+    std::filesystem::path
+        motion;         // a BVH file that humanoids follow, as one more clip of its name; empty: none
+    bool blend = false; // clips of the two best types are mixed
+    int rotate = 0;     // degrees by which a page is first turned clockwise: 0, 90, 180, 270
+    int threads = 1;    // results do not depend on it
+    bool animated_drawings = false; // humanoids are also written as AnimatedDrawings character folders
+    bool trace = false;             // intermediate products are written, too
+    RenderRequest render;
+    // Called before each step when set; `share` of the work done so far, 0 to 1.
+    std::function<void(const std::string& what, double share)> progress;
+    std::function<void(const std::string& line)> notice; // facts that the user wants to check
+};
+
+} // namespace pantin
