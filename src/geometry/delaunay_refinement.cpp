@@ -8,6 +8,7 @@
 #include <deque>
 
 #include "geometry/triangle_links.hpp"
+#include "image/nearest_pixel.hpp"
 
 namespace pantin {
 namespace {
@@ -78,8 +79,7 @@ private:
             if (must_split({t, i})) return halve({t, i});
         const Shape shape = shape_of(t);
         if (!is_bad(shape)) return;
-        const Point2i centre{static_cast<int>(std::floor(shape.centre.x + 0.5)),
-                             static_cast<int>(std::floor(shape.centre.y + 0.5))};
+        const Point2i centre = pixel_at_or_after(shape.centre);
         const TriangleLinks::Place place = links_.locate(centre, t);
         if (place.behind >= 0) {
             const Side border{place.triangle, place.behind};

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "rigging/nearest_pixel.hpp"
+#include "image/nearest_pixel.hpp"
 #include "skeletonization/graph_edit.hpp"
 
 namespace pantin {

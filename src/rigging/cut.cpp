@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "rigging/nearest_pixel.hpp"
+#include "image/nearest_pixel.hpp"
 
 namespace pantin {
 namespace {

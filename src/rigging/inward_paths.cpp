@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/nearest_pixel.hpp"
 #include "pantin/geometry.hpp"
-#include "rigging/nearest_pixel.hpp"
 #include "rigging/shortest_paths.hpp"
 #include "skeletonization/graph_edit.hpp"
 

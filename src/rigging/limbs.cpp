@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/nearest_pixel.hpp"
 #include "rigging/branches.hpp"
 #include "rigging/limb_references.hpp"
-#include "rigging/nearest_pixel.hpp"
 #include "rigging/part_components.hpp"
 
 namespace pantin {
@@ -108,8 +108,7 @@ void add_branch(LimbTree& tree, Branch branch) {
 // Whether a limb or a side branch of one runs through the part, or the body's root lies in it.
 bool is_covered(const PartComponent& part, const Limbs& limbs) {
     const auto inside = [&](Point2d p) {
-        const Point2i pixel{static_cast<int>(std::rint(p.x)), static_cast<int>(std::rint(p.y))};
-        return std::binary_search(part.pixels.begin(), part.pixels.end(), pixel,
+        return std::binary_search(part.pixels.begin(), part.pixels.end(), pixel_at(p),
                                   [](Point2i a, Point2i b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
     };
     const auto runs_through = [&](const std::vector<Point2d>& path) {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "image/nearest_pixel.hpp"
 #include "pantin/image.hpp"
-#include "rigging/nearest_pixel.hpp"
 
 namespace pantin {
 namespace {

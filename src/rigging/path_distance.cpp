@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/nearest_pixel.hpp"
 #include "rigging/shortest_paths.hpp"
 
 namespace pantin {
@@ -18,8 +19,9 @@ double chi_square(double a, double b) { return a + b > 0 ? (a - b) * (a - b) / (
 
 double radius_at(const Figure& figure, Point2d p) {
     const Grid<int>& squared = figure.squared_distance;
-    const int x = std::clamp(static_cast<int>(std::floor(p.x + 0.5)), 0, squared.width() - 1);
-    const int y = std::clamp(static_cast<int>(std::floor(p.y + 0.5)), 0, squared.height() - 1);
+    const Point2i pixel = pixel_at_or_after(p);
+    const int x = std::clamp(pixel.x, 0, squared.width() - 1),
+              y = std::clamp(pixel.y, 0, squared.height() - 1);
     return std::sqrt(static_cast<double>(squared(x, y))) / figure.mean_distance;
 }
 

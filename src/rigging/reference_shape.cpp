@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image/nearest_pixel.hpp"
+
 namespace pantin {
 namespace {
 
@@ -51,7 +53,7 @@ SkeletonEdge draw_edge(int u, int v, const Disc& a, const Disc& b) {
     const int steps = std::max(1, static_cast<int>(std::ceil(reach)));
     for (int k = 0; k <= steps; ++k) {
         const Point2d p = a.centre + (static_cast<double>(k) / steps) * (b.centre - a.centre);
-        const Point2i pixel{static_cast<int>(std::floor(p.x + 0.5)), static_cast<int>(std::floor(p.y + 0.5))};
+        const Point2i pixel = pixel_at_or_after(p);
         if (!edge.pixels.empty() && edge.pixels.back() == pixel) continue;
         if (!edge.pixels.empty()) edge.length += distance(to_double(edge.pixels.back()), to_double(pixel));
         edge.pixels.push_back(pixel);
@@ -74,8 +76,8 @@ Figure draw_reference(const ReferenceSkeleton& reference, bool mirrored) {
     for (std::size_t i = 0; i < reference.nodes.size(); ++i) {
         const ReferenceNode& node = reference.nodes[i];
         discs.push_back(disc_of(node, mirrored));
-        const Point2d c = discs.back().centre;
-        graph.vertices.push_back({std::floor(c.x + 0.5), std::floor(c.y + 0.5), node.label, degree[i] == 1});
+        const Point2d c = to_double(pixel_at_or_after(discs.back().centre));
+        graph.vertices.push_back({c.x, c.y, node.label, degree[i] == 1});
     }
     for (const auto& [u, v] : reference.edges) {
         fill_edge(mask, discs[u], discs[v]);

@@ -16,6 +16,7 @@
 #include "rigging/limbs.hpp"
 #include "rigging/mesh_topology.hpp"
 #include "rigging/skin_weights.hpp"
+#include "rigging/thesis_weights.hpp"
 
 namespace pantin {
 namespace {

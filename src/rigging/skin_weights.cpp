@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
-// In come the mesh, the owners of its vertices and the bones; out go up to four weights per vertex. Ours:
-// blended over each joint along the limb, then diffused over the mesh. The thesis's: a flood from every
-// end-effector with one constant weight (Algorithm 4.4, ERRATA 20).
+// In come the mesh, the owners of its vertices and the bones; out go up to four weights per vertex, blended
+// over each joint along the limb, then diffused over the mesh. Our own; thesis_weights.cpp has the thesis's.
 #include "rigging/skin_weights.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/smoothstep.hpp"
-#include "geometry/extent.hpp"
 #include "rigging/mesh_topology.hpp"
-#include "rigging/nearest_pixel.hpp"
-#include "rigging/reference_shape.hpp"
 
 namespace pantin {
 namespace {
@@ -140,91 +136,6 @@ std::vector<VertexWeights> smooth_weights(const Mesh& mesh, const std::vector<Ow
     std::vector<VertexWeights> result;
     for (const std::vector<double>& w : weights) result.push_back(quantised(w));
     return result;
-}
-
-std::vector<FloodResult> flood_weights(const Mesh& mesh, const LabelMap& labels,
-                                       const std::vector<FloodInput>& ends) {
-    std::vector<FloodResult> results(ends.size());
-    std::vector<int> label(mesh.vertices.size());
-    for (std::size_t v = 0; v < label.size(); ++v) label[v] = at_nearest(labels, mesh.vertices[v]);
-    for (std::size_t e = 0; e < ends.size(); ++e)
-        for (std::size_t v = 0; v < label.size(); ++v)
-            if (results[e].seed < 0 || distance(mesh.vertices[v], ends[e].end) <
-                                           distance(mesh.vertices[results[e].seed], ends[e].end))
-                results[e].seed = static_cast<int>(v);
-    const auto neighbours = neighbours_of(mesh);
-    for (std::size_t e = 0; e < ends.size(); ++e) {
-        if (results[e].seed < 0) continue;
-        const int wanted = label[results[e].seed];
-        // C_3: no end-effector of the same label is nearer.
-        const auto is_nearest = [&](int w) {
-            for (const FloodInput& other : ends)
-                if (static_cast<int>(other.label) == wanted &&
-                    distance(mesh.vertices[w], other.end) < distance(mesh.vertices[w], ends[e].end))
-                    return false;
-            return true;
-        };
-        std::vector<char> visited(mesh.vertices.size(), 0);
-        std::vector<int>& queue = results[e].reached;
-        queue = {results[e].seed};
-        visited[results[e].seed] = 1;
-        for (std::size_t head = 0; head < queue.size(); ++head)
-            for (int w : neighbours[queue[head]]) {
-                if (visited[w] || label[w] != wanted) continue; // C_1, C_2
-                visited[w] = 1;
-                if (is_nearest(w)) queue.push_back(w);
-            }
-        std::sort(queue.begin(), queue.end());
-    }
-    return results;
-}
-
-namespace {
-
-// Length of the first edge at the vertex, over the figure's diagonal.
-template <class Edges> double relative_bone(const std::vector<Point2d>& points, const Edges& edges, int end) {
-    const double size = diagonal_of(points);
-    if (size == 0) return 0;
-    for (const auto& [u, v] : edges)
-        if (u == end || v == end) return distance(points[u], points[v]) / size;
-    return 0;
-}
-
-} // namespace
-
-double bone_ratio(const SkeletonGraph& graph, int end, const ReferenceSkeleton& reference,
-                  int reference_end) {
-    std::vector<Point2d> points, nodes;
-    for (const SkeletonVertex& v : graph.vertices) points.push_back(position_of(v));
-    for (const ReferenceNode& n : reference.nodes)
-        nodes.push_back({std::rint((reference_span + 1) * n.x), std::rint((reference_span + 1) * n.y)});
-    std::vector<std::pair<int, int>> edges;
-    for (const SkeletonEdge& edge : graph.edges) edges.emplace_back(edge.u, edge.v);
-    const double a = relative_bone(points, edges, end),
-                 b = relative_bone(nodes, reference.edges, reference_end);
-    return a > 0 && b > 0 ? std::min(a, b) / std::max(a, b) : 0;
-}
-
-std::vector<VertexWeights> thesis_weights(const Mesh& mesh, const LabelMap& labels,
-                                          const SkeletonGraph& graph, const ReferenceSkeleton& reference,
-                                          const Mapping& mapping) {
-    std::vector<FloodInput> ends;
-    for (const EndPair& pair : mapping.pairs) {
-        const SkeletonVertex& v = graph.vertices[pair.end];
-        ends.push_back({position_of(v), v.label});
-    }
-    const std::vector<FloodResult> floods = flood_weights(mesh, labels, ends);
-    std::vector<VertexWeights> weights(mesh.vertices.size());
-    for (VertexWeights& w : weights) w.weights[0] = 1; // the body
-    for (std::size_t e = 0; e < floods.size(); ++e) {
-        const EndPair& pair = mapping.pairs[e];
-        const double sigma = bone_ratio(graph, pair.end, reference, pair.reference_end);
-        std::vector<double> per_bone(ends.size() + 1, 0.0);
-        per_bone[0] = 1 - sigma;
-        per_bone[e + 1] = sigma;
-        for (int v : floods[e].reached) weights[v] = quantised(per_bone);
-    }
-    return weights;
 }
 
 } // namespace pantin

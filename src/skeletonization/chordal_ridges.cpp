@@ -26,6 +26,7 @@
 #include <utility>
 #include <vector>
 
+#include "image/nearest_pixel.hpp"
 #include "pantin/triangulation.hpp"
 #include "skeletonization/outline.hpp"
 #include "skeletonization/voronoi_skeleton.hpp"
@@ -57,8 +58,6 @@ struct Axis {
         }
     }
 };
-
-Point2i pixel_at(Point2d p) { return {static_cast<int>(std::rint(p.x)), static_cast<int>(std::rint(p.y))}; }
 
 bool inside(const Mask& mask, Point2i p) { return mask.value_or(p.x, p.y, 0) != 0; }
 

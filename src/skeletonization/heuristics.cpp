@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The two heuristics of the thesis, section 4.4, that rid the graph of what would mislead the later steps
 // (ERRATA 7): H1 takes ends from head and body, H2 joins vertices that are close. A graph in, a graph out.
-#include <cmath>
 #include <map>
 
+#include "image/nearest_pixel.hpp"
 #include "skeletonization/graph_edit.hpp"
 #include "skeletonization/voronoi_skeleton.hpp"
 
@@ -29,9 +29,7 @@ SkeletonGraph without(const SkeletonGraph& graph, const std::vector<bool>& remov
     return result;
 }
 
-Point2i rounded(const SkeletonVertex& v) {
-    return {static_cast<int>(std::floor(v.x + 0.5)), static_cast<int>(std::floor(v.y + 0.5))};
-}
+Point2i pixel_of(const SkeletonVertex& v) { return pixel_at_or_after(position_of(v)); }
 
 // The closest pair of vertices of one type nearer than the distance (ties: the smaller indices), or {−1, −1}.
 std::pair<int, int> closest_pair(const std::vector<SkeletonVertex>& vertices, double merge_distance) {
@@ -77,7 +75,7 @@ SkeletonGraph merge(SkeletonGraph graph, int i, int j) {
         if (u == v) continue;
         if (u == i || v == i)
             edge.pixels =
-                reach(std::move(edge.pixels), rounded(graph.vertices[u]), rounded(graph.vertices[v]));
+                reach(std::move(edge.pixels), pixel_of(graph.vertices[u]), pixel_of(graph.vertices[v]));
         SkeletonEdge moved = make_edge(u, v, std::move(edge.pixels));
         const auto [found, fresh] = edges.insert({{moved.u, moved.v}, moved});
         if (!fresh && moved.length < found->second.length) found->second = std::move(moved);

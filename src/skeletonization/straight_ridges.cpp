@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "geometry/extent.hpp"
+#include "image/nearest_pixel.hpp"
 #include "pantin/error.hpp"
 #include "pantin/straight_skeleton.hpp"
 #include "skeletonization/voronoi_skeleton.hpp"
@@ -28,8 +29,6 @@ std::optional<std::vector<Point2d>> loop_of(const Border& border) {
         return std::nullopt; // a line or a dot
     }
 }
-
-Point2i pixel_at(Point2d p) { return {static_cast<int>(std::rint(p.x)), static_cast<int>(std::rint(p.y))}; }
 
 } // namespace
 

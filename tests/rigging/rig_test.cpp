@@ -14,6 +14,7 @@
 #include "rigging/mesh_topology.hpp"
 #include "rigging/ownership.hpp"
 #include "rigging/skin_weights.hpp"
+#include "rigging/thesis_weights.hpp"
 
 using namespace pantin;
 using namespace pantin::tests;

@@ -6,7 +6,7 @@
 #include "image/label_map.hpp"
 #include "pantin/rigging.hpp"
 #include "rigging/mesh_topology.hpp"
-#include "rigging/skin_weights.hpp"
+#include "rigging/thesis_weights.hpp"
 
 namespace pantin::compare {
 namespace {

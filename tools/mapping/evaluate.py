@@ -107,8 +107,8 @@ def groups_of(tips):
     """Indices of the rows that count as one tip."""
     groups = {}
     for i, (_, _, expected) in enumerate(tips):
-        one_tip = "none" in expected and len(expected) > 1
-        groups.setdefault(expected if one_tip else i, []).append(i)
+        forked_tips = "none" in expected and len(expected) > 1
+        groups.setdefault(expected if forked_tips else i, []).append(i)
     return list(groups.values())
 
 
