@@ -119,6 +119,8 @@ $(call objects,$(glue)): cxxflags += -O0
 $(call objects,$(hot)): cxxflags += -O2
 $(BUILD)/tests/main.o: cxxflags += -fno-sanitize=all # Catch2 alone
 endif
+# A damaged JPEG makes stb_image's inverse transform overflow: defined, as two's complement.
+$(BUILD)/src/image/load.o: cxxflags += -fwrapv
 # CGAL's interval arithmetic changes the rounding mode; g++ 12 reports false maybe-uninitialized reads in its headers.
 $(BUILD)/tests/modeling/cgal/%.o: cxxflags += -O1 -frounding-math -Wno-unknown-warning-option -Wno-maybe-uninitialized
 

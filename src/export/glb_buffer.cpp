@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "export/glb_buffer.hpp"
+#include "core/json.hpp"
 
 #include <algorithm>
 #include <bit>
 
-#include <nlohmann/json.hpp>
-
 namespace pantin {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 

@@ -4,16 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
 
 namespace pantin {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr long max_side = 16384;
 constexpr double huge = 1e15;

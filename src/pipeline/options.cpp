@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include <nlohmann/json.hpp>
-
 #include "core/decimal.hpp"
 #include "core/file.hpp"
 #include "core/json.hpp"
@@ -14,8 +12,6 @@
 namespace pantin {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Calls visit(name, field, low, high) for numbers and visit(name, field, names) for choices, in a fixed
 // order.

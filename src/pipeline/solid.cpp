@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/solid.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "core/file.hpp"
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
 
 namespace pantin {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int largest_side = 16384;
 constexpr double huge = 1e15;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "verify/step_files.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "core/digest.hpp"
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
@@ -11,8 +9,6 @@
 namespace pantin {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double huge = 1e15;
 constexpr long most = 1'000'000;
