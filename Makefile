@@ -66,6 +66,7 @@ else ifeq ($($(1)),1)
   $(1)_missing := $(if $(call have,$($(1)_header),$($(1)_libs)),,$(1))
 endif
 endef
+switches := $(foreach library,$(LIBRARIES),$(library)=$($(library)))
 ifneq ($(filter-out demo test sanitize deps clean uninstall install-files format check-format,$(or $(MAKECMDGOALS),all)),)
   $(foreach library,$(LIBRARIES),$(eval $(call detect,$(library))))
 endif
@@ -119,6 +120,8 @@ $(call objects,$(glue)): cxxflags += -O0
 $(call objects,$(hot)): cxxflags += -O2
 $(BUILD)/tests/main.o: cxxflags += -fno-sanitize=all # Catch2 alone
 endif
+# A damaged JPEG makes stb_image's inverse transform overflow: defined, as two's complement.
+$(BUILD)/src/image/load.o: cxxflags += -fwrapv
 # CGAL's interval arithmetic changes the rounding mode; g++ 12 reports false maybe-uninitialized reads in its headers.
 $(BUILD)/tests/modeling/cgal/%.o: cxxflags += -O1 -frounding-math -Wno-unknown-warning-option -Wno-maybe-uninitialized
 
@@ -142,7 +145,6 @@ VECTORS := $(sort $(shell find testdata/vectors)) # folders, too, so that a file
 # The folder $(2) of $(1) as an archive whose bytes depend on its files alone.
 pack = tar -C $(1) --format=ustar --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX -cf - $(2) | gzip -9 -n
 
-
 .PHONY: all FORCE demo demo-run test test-run sanitize deps doodle libraries bench figures results verify update-verify verify-arm64 \
     vectors vectors-files test-web check-gltf install install-files uninstall clean format check-format tidy compile_commands.json
 all: $(BUILD)/pantin
@@ -158,7 +160,7 @@ demo: deps
 test: deps
 	@$(MAKE) $(jobs) --no-print-directory test-run
 deps:
-	@$(foreach library,$(LIBRARIES),$(library)=$($(library))) CXX='$(CXX)' tools/install_deps.sh
+	@$(switches) CXX='$(CXX)' tools/install_deps.sh
 
 # Which optional libraries this machine has, as a build would take them.
 libraries:
@@ -223,9 +225,11 @@ test-web: $(BUILD)/pantin
 # A stamp is a file that holds its text, and is written anew only when that differs: what depends on it is made again exactly then.
 same = $(if $(subst x$(1)x,,x$(2)x),,1)
 stamp = $(if $(call same,$(file <$@),$(1)),,$(shell mkdir -p $(@D))$(file >$@,$(1)))@:
-# Target-specific flags follow from the rules of this file, so this one line stands for all objects.
+# One line stands for all objects: flags of single files follow from this file's rules. (They would be in a prerequisite's recipe, too:
+# hence :=.)
+compile_line := $(subst $(CURDIR),.,$(compile))
 $(BUILD)/compile.stamp: FORCE
-	$(call stamp,$(subst $(CURDIR),.,$(compile)))
+	$(call stamp,$(compile_line))
 $(BUILD)/libpantin.stamp: FORCE
 	$(call stamp,$(AR) $(LIB_OBJECTS))
 

@@ -67,24 +67,24 @@ int run_animate(const Arguments& arguments) {
 
 } // namespace
 
-void add_animate(CLI::App& app, Run& run) {
+void add_animate(Command app) {
     const auto arguments = std::make_shared<Arguments>();
-    CLI::App* command = app.add_subcommand("animate", "the whole pipeline: pages to animated characters");
+    Command command = app.subcommand("animate", "the whole pipeline: pages to animated characters");
     command
-        ->add_option("IMAGE", arguments->images,
-                     "PNG or JPEG pages, or AnimatedDrawings character folders; several go to DIR/<name>/")
-        ->required();
-    command->add_option("-o,--output", arguments->out, "folder for the results")->required();
-    add_render_options(*command, arguments->render);
-    command->add_flag("--scene", arguments->render.scene,
-                      "the whole page comes alive, too: DIR/scene.webp, scene.gif");
-    add_override_options(*command, arguments->overrides);
-    add_motion_options(*command, arguments->common);
-    add_animated_drawings_option(*command, arguments->common);
-    add_rotate_option(*command, arguments->common);
-    add_detector_option(*command, arguments->common);
-    add_common_options(*command, arguments->common);
-    command->callback([arguments, &run] { run = [arguments] { return run_animate(*arguments); }; });
+        .option("IMAGE", arguments->images,
+                "PNG or JPEG pages, or AnimatedDrawings character folders; several go to DIR/<name>/")
+        .required();
+    command.option("-o,--output", arguments->out, "folder for the results").required();
+    add_render_options(command, arguments->render);
+    command.flag("--scene", arguments->render.scene,
+                 "the whole page comes alive, too: DIR/scene.webp, scene.gif");
+    add_override_options(command, arguments->overrides);
+    add_motion_options(command, arguments->common);
+    add_animated_drawings_option(command, arguments->common);
+    add_rotate_option(command, arguments->common);
+    add_detector_option(command, arguments->common);
+    add_common_options(command, arguments->common);
+    command.run([arguments] { return run_animate(*arguments); });
 }
 
 } // namespace pantin::cli

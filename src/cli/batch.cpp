@@ -11,8 +11,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/command.hpp"
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
@@ -25,8 +23,6 @@ namespace pantin::cli {
 namespace fs = std::filesystem;
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t longest_line = 1 << 20; // bytes; a configuration with every option has 3000
 
@@ -129,11 +125,7 @@ void check_text(const Line& line) {
         throw Error(ErrorKind::input, "the line has more than " + std::to_string(longest_line) + " bytes");
     if (line.text.find('\0') != std::string::npos)
         throw Error(ErrorKind::input, "the line holds a zero byte");
-    try {
-        Json(line.text).dump();
-    } catch (const Json::exception&) {
-        throw Error(ErrorKind::input, "the line is not UTF-8");
-    }
+    if (!is_utf8(line.text)) throw Error(ErrorKind::input, "the line is not UTF-8");
 }
 
 // A name, or an object with options. What the line does not say is as it was in `options`.
@@ -150,7 +142,7 @@ void read_line(PageOptions& options, const std::string& text) {
     }
     // So that a bad line can be told by its names, too.
     const auto name = [&](const char* key) {
-        return json.contains(key) && json[key].is_string() ? json[key] : Json("");
+        return json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : "";
     };
     options.image = name("image");
     options.out = name("out");
@@ -318,27 +310,26 @@ int run_batch(const Arguments& arguments) {
 
 } // namespace
 
-void add_batch(CLI::App& app, Run& run) {
+void add_batch(Command app) {
     const auto arguments = std::make_shared<Arguments>();
     PageOptions& page = arguments->page;
-    CLI::App* command = app.add_subcommand(
+    Command command = app.subcommand(
         "batch",
         "many pages: file names or JSON Lines on standard input, one JSON line each on standard output");
-    command->add_option("-o,--output", page.out,
-                        "folder for the pages that name none: DIR/<name of the picture>/");
-    command->add_flag("--skip-done", arguments->skip_done,
-                      "leave pages alone that a former run has finished");
-    command->add_flag("--seconds", arguments->seconds, "add to each line how long it took");
-    add_render_options(*command, page.render);
-    command->add_flag("--scene", page.render.scene, "the whole page comes alive, too");
-    command->add_option("--reference", page.overrides.reference,
-                        "what every character moves like, whatever identification says");
-    add_motion_options(*command, page.common);
-    add_animated_drawings_option(*command, page.common);
-    add_rotate_option(*command, page.common);
-    add_detector_option(*command, page.common);
-    add_common_options(*command, page.common);
-    command->callback([arguments, &run] { run = [arguments] { return run_batch(*arguments); }; });
+    command.option("-o,--output", page.out,
+                   "folder for the pages that name none: DIR/<name of the picture>/");
+    command.flag("--skip-done", arguments->skip_done, "leave pages alone that a former run has finished");
+    command.flag("--seconds", arguments->seconds, "add to each line how long it took");
+    add_render_options(command, page.render);
+    command.flag("--scene", page.render.scene, "the whole page comes alive, too");
+    command.option("--reference", page.overrides.reference,
+                   "what every character moves like, whatever identification says");
+    add_motion_options(command, page.common);
+    add_animated_drawings_option(command, page.common);
+    add_rotate_option(command, page.common);
+    add_detector_option(command, page.common);
+    add_common_options(command, page.common);
+    command.run([arguments] { return run_batch(*arguments); });
 }
 
 } // namespace pantin::cli

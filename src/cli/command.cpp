@@ -55,69 +55,67 @@ void check_formats(const std::vector<std::string>& formats) {
 
 } // namespace
 
-void add_common_options(CLI::App& command, CommonOptions& options) {
+void add_common_options(Command command, CommonOptions& options) {
+    command.option("--preset", options.preset, "default (best results) or thesis (the thesis to the letter)")
+        .show_default();
+    command.option("--config", options.config, "JSON file that sets any option by its name");
     command
-        .add_option("--preset", options.preset, "default (best results) or thesis (the thesis to the letter)")
-        ->capture_default_str();
-    command.add_option("--config", options.config, "JSON file that sets any option by its name");
+        .option("--weights", options.weights,
+                "folder with the networks' weights (default: those compiled in)")
+        .environment("PANTIN_WEIGHTS");
+    command.option("--references", options.references, "folder with more reference skeletons");
     command
-        .add_option("--weights", options.weights,
-                    "folder with the networks' weights (default: those compiled in)")
-        ->envname("PANTIN_WEIGHTS");
-    command.add_option("--references", options.references, "folder with more reference skeletons");
+        .option("--threads", options.threads,
+                "number of threads (default: all cores); results do not depend on it")
+        .range(1, 256);
+    command.flag("--trace", options.trace, "write intermediate products, too");
+    command.flag("--quiet", options.quiet, "print errors only");
+}
+
+void add_detector_option(Command command, CommonOptions& options) {
+    command.option("--detector", options.detector, "mask-rcnn (default) or contour")
+        .one_of({"contour", "mask-rcnn"});
+}
+
+void add_rotate_option(Command command, CommonOptions& options) {
+    command.option("--rotate", options.rotate, "turn the page clockwise first: 90, 180 or 270")
+        .one_of({0, 90, 180, 270});
+}
+
+void add_motion_options(Command command, CommonOptions& options) {
+    command.flag("--blend", options.blend, "between two types: the clips of both, mixed by their confidence");
+    command.option("--motion", options.motion,
+                   "BVH file: humanoids follow it as one more clip, of the file's name");
+}
+
+void add_animated_drawings_option(Command command, CommonOptions& options) {
+    command.flag("--animated-drawings", options.animated_drawings,
+                 "write humanoids as AnimatedDrawings character folders, too");
+}
+
+void add_override_options(Command command, Overrides& overrides) {
+    command.option("--mask", overrides.mask,
+                   "PNG of the page's size, white where the one character is: no detection");
+    command.option("--labels", overrides.labels,
+                   "PNG of the page's size with part labels 0 to " + std::to_string(label_count - 1) +
+                       ": no segmentation");
+    command.option("--reference", overrides.reference,
+                   "what every character moves like, whatever identification says");
+}
+
+void add_render_options(Command command, RenderFlags& flags) {
+    command.option("--clip", flags.clip, "a clip of the reference, or all").show_default();
+    command.option("--fps", flags.fps, "frames per second, 1 to 100").show_default();
+    command.option("--size", flags.size, "longer side of the frames in pixels")
+        .range(16, 4096)
+        .show_default();
     command
-        .add_option("--threads", options.threads,
-                    "number of threads (default: all cores); results do not depend on it")
-        ->check(CLI::Range(1, 256));
-    command.add_flag("--trace", options.trace, "write intermediate products, too");
-    command.add_flag("--quiet", options.quiet, "print errors only");
-}
-
-void add_detector_option(CLI::App& command, CommonOptions& options) {
-    command.add_option("--detector", options.detector, "mask-rcnn (default) or contour")
-        ->check(CLI::IsMember({"contour", "mask-rcnn"}));
-}
-
-void add_rotate_option(CLI::App& command, CommonOptions& options) {
-    command.add_option("--rotate", options.rotate, "turn the page clockwise first: 90, 180 or 270")
-        ->check(CLI::IsMember({0, 90, 180, 270}));
-}
-
-void add_motion_options(CLI::App& command, CommonOptions& options) {
-    command.add_flag("--blend", options.blend,
-                     "between two types: the clips of both, mixed by their confidence");
-    command.add_option("--motion", options.motion,
-                       "BVH file: humanoids follow it as one more clip, of the file's name");
-}
-
-void add_animated_drawings_option(CLI::App& command, CommonOptions& options) {
-    command.add_flag("--animated-drawings", options.animated_drawings,
-                     "write humanoids as AnimatedDrawings character folders, too");
-}
-
-void add_override_options(CLI::App& command, Overrides& overrides) {
-    command.add_option("--mask", overrides.mask,
-                       "PNG of the page's size, white where the one character is: no detection");
-    command.add_option("--labels", overrides.labels,
-                       "PNG of the page's size with part labels 0 to " + std::to_string(label_count - 1) +
-                           ": no segmentation");
-    command.add_option("--reference", overrides.reference,
-                       "what every character moves like, whatever identification says");
-}
-
-void add_render_options(CLI::App& command, RenderFlags& flags) {
-    command.add_option("--clip", flags.clip, "a clip of the reference, or all")->capture_default_str();
-    command.add_option("--fps", flags.fps, "frames per second, 1 to 100")->capture_default_str();
-    command.add_option("--size", flags.size, "longer side of the frames in pixels")
-        ->check(CLI::Range(16, 4096))
-        ->capture_default_str();
-    command
-        .add_option("--format", flags.formats,
-                    film_format_names() + " (default: webp, and gif of the first clip)")
-        ->delimiter(',');
-    command.add_option("--background", flags.background, "transparent, white, black, #rrggbb or #rrggbbaa")
-        ->capture_default_str();
-    command.add_flag("--perspective", flags.perspective, "perspective camera instead of an orthographic one");
+        .option("--format", flags.formats,
+                film_format_names() + " (default: webp, and gif of the first clip)")
+        .separated_by(',');
+    command.option("--background", flags.background, "transparent, white, black, #rrggbb or #rrggbbaa")
+        .show_default();
+    command.flag("--perspective", flags.perspective, "perspective camera instead of an orthographic one");
 }
 
 Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {

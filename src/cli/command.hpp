@@ -3,18 +3,13 @@
 // this room.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "cli/arguments.hpp"
 #include "pantin/pipeline.hpp"
 
 namespace pantin::cli {
-
-// The exit code of the command line. `run` is set by the subcommand that the user chose.
-using Run = std::function<int()>;
 
 struct CommonOptions {
     std::string preset = "default";
@@ -32,14 +27,14 @@ struct RenderFlags {
     bool perspective = false, scene = false;
 };
 
-void add_common_options(CLI::App& command, CommonOptions& options);
-void add_detector_option(CLI::App& command, CommonOptions& options); // of the commands that detect
-void add_rotate_option(CLI::App& command, CommonOptions& options);   // of those that read a page
-void add_motion_options(CLI::App& command, CommonOptions& options);  // of those that move a character
-void add_animated_drawings_option(CLI::App& command, CommonOptions& options); // of those that rig
-void add_override_options(CLI::App& command,
+void add_common_options(Command command, CommonOptions& options);
+void add_detector_option(Command command, CommonOptions& options);          // of the commands that detect
+void add_rotate_option(Command command, CommonOptions& options);            // of those that read a page
+void add_motion_options(Command command, CommonOptions& options);           // of those that move a character
+void add_animated_drawings_option(Command command, CommonOptions& options); // of those that rig
+void add_override_options(Command command,
                           Overrides& overrides); // of those that run all steps: results that the user gives
-void add_render_options(CLI::App& command, RenderFlags& flags);
+void add_render_options(Command command, RenderFlags& flags);
 
 // Preset, then configuration file, then the other options. Error(usage) or Error(input).
 Settings make_settings(const CommonOptions& options, const RenderFlags& flags = {});
@@ -53,14 +48,14 @@ void clear_progress();
 // A result on standard output, unless --quiet.
 void print_result(const CommonOptions& options, const std::string& line);
 
-void add_animate(CLI::App& app, Run& run);
-void add_steps(CLI::App& app, Run& run);
-void add_evaluate(CLI::App& app, Run& run);
-void add_model(CLI::App& app, Run& run);
-void add_batch(CLI::App& app, Run& run);
-void add_explain(CLI::App& app, Run& run);
-void add_verify(CLI::App& app, Run& run);
-void add_manual(CLI::App& app, Run& run);
-void add_completion(CLI::App& app, Run& run);
+void add_animate(Command app);
+void add_steps(Command app);
+void add_evaluate(Command app);
+void add_model(Command app);
+void add_batch(Command app);
+void add_explain(Command app);
+void add_verify(Command app);
+void add_manual(Command app);
+void add_completion(Command app);
 
 } // namespace pantin::cli

@@ -10,11 +10,11 @@ namespace pantin::cli {
 namespace {
 
 // All options of a command, "-o --output …".
-std::vector<std::string> flags_of(const CLI::App& command) {
+std::vector<std::string> flags_of(const CommandText& command) {
     std::vector<std::string> flags;
-    for (const CLI::Option* option : command.get_options()) {
-        for (const std::string& name : option->get_snames()) flags.push_back("-" + name);
-        for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
+    for (const OptionText& option : command.options) {
+        for (const std::string& name : option.short_names) flags.push_back("-" + name);
+        for (const std::string& name : option.long_names) flags.push_back("--" + name);
     }
     return flags;
 }
@@ -25,32 +25,32 @@ std::string joined(const std::vector<std::string>& words) {
     return line;
 }
 
-std::string command_names(const CLI::App& app) {
+std::string command_names(const CommandText& app) {
     std::vector<std::string> names;
-    for (const CLI::App* sub : app.get_subcommands(nullptr)) names.push_back(sub->get_name());
+    for (const CommandText& sub : app.commands) names.push_back(sub.name);
     return joined(names);
 }
 
-std::string bash(const CLI::App& app) {
+std::string bash(const CommandText& app) {
     std::string text =
         "# bash completion for pantin\n_pantin() {\n    local current=${COMP_WORDS[COMP_CWORD]} words=\n"
         "    if [ \"$COMP_CWORD\" = 1 ]; then\n        words='" +
         command_names(app) + " " + joined(flags_of(app)) +
         "'\n    else\n"
         "        case ${COMP_WORDS[1]} in\n";
-    for (const CLI::App* sub : app.get_subcommands(nullptr))
-        text += "        " + sub->get_name() + ") words='" + joined(flags_of(*sub)) + "' ;;\n";
+    for (const CommandText& sub : app.commands)
+        text += "        " + sub.name + ") words='" + joined(flags_of(sub)) + "' ;;\n";
     return text + "        esac\n        [[ $current == -* ]] || words=\n    fi\n"
                   "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$current\")\n}\ncomplete -o "
                   "default -F _pantin pantin\n";
 }
 
-std::string zsh(const CLI::App& app) {
+std::string zsh(const CommandText& app) {
     std::string text = "#compdef pantin\nlocal -a commands\nif (( CURRENT == 2 )); then\n    commands=(" +
                        command_names(app) + " " + joined(flags_of(app)) +
                        ")\n    compadd -- $commands\n    return\nfi\ncase $words[2] in\n";
-    for (const CLI::App* sub : app.get_subcommands(nullptr))
-        text += sub->get_name() + ") commands=(" + joined(flags_of(*sub)) + ") ;;\n";
+    for (const CommandText& sub : app.commands)
+        text += sub.name + ") commands=(" + joined(flags_of(sub)) + ") ;;\n";
     return text + "esac\nif [[ $PREFIX == -* ]]; then\n    compadd -- $commands\nelse\n    _files\nfi\n";
 }
 
@@ -61,43 +61,41 @@ std::string quoted(const std::string& text) {
 }
 
 // One line for each option; `where`: the condition under which it is offered.
-std::string fish_options(const CLI::App& command, const std::string& where) {
+std::string fish_options(const CommandText& command, const std::string& where) {
     std::string text;
-    for (const CLI::Option* option : command.get_options()) {
-        if (option->get_positional()) continue;
+    for (const OptionText& option : command.options) {
+        if (option.positional) continue;
         text += "complete -c pantin -n " + where;
-        for (const std::string& name : option->get_snames()) text += " -s " + name;
-        for (const std::string& name : option->get_lnames()) text += " -l " + name;
-        text += std::string(option->get_expected_max() > 0 ? " -r" : "") + " -d " +
-                quoted(option->get_description()) + "\n";
+        for (const std::string& name : option.short_names) text += " -s " + name;
+        for (const std::string& name : option.long_names) text += " -l " + name;
+        text += std::string(option.takes_value ? " -r" : "") + " -d " + quoted(option.description) + "\n";
     }
     return text;
 }
 
-std::string fish(const CLI::App& app) {
+std::string fish(const CommandText& app) {
     std::string text = "# fish completion for pantin\n" + fish_options(app, "__fish_use_subcommand");
-    for (const CLI::App* sub : app.get_subcommands(nullptr)) {
-        text += "complete -c pantin -n __fish_use_subcommand -f -a " + sub->get_name() + " -d " +
-                quoted(sub->get_description()) + "\n";
-        text += fish_options(*sub, "'__fish_seen_subcommand_from " + sub->get_name() + "'");
+    for (const CommandText& sub : app.commands) {
+        text += "complete -c pantin -n __fish_use_subcommand -f -a " + sub.name + " -d " +
+                quoted(sub.description) + "\n";
+        text += fish_options(sub, "'__fish_seen_subcommand_from " + sub.name + "'");
     }
     return text;
 }
 
 } // namespace
 
-void add_completion(CLI::App& app, Run& run) {
+void add_completion(Command app) {
     const auto shell = std::make_shared<std::string>();
-    CLI::App* command = app.add_subcommand("completion", "print a completion script");
-    command->add_option("SHELL", *shell, "bash, zsh or fish")
-        ->required()
-        ->check(CLI::IsMember({"bash", "zsh", "fish"}));
-    command->callback([shell, &app, &run] {
-        run = [shell, &app] {
-            const std::string text = *shell == "bash" ? bash(app) : *shell == "zsh" ? zsh(app) : fish(app);
-            std::fputs(text.c_str(), stdout);
-            return 0;
-        };
+    Command command = app.subcommand("completion", "print a completion script");
+    command.option("SHELL", *shell, "bash, zsh or fish").required().one_of({"bash", "zsh", "fish"});
+    command.run([shell, app] {
+        const CommandText program = app.text();
+        const std::string text = *shell == "bash"  ? bash(program)
+                                 : *shell == "zsh" ? zsh(program)
+                                                   : fish(program);
+        std::fputs(text.c_str(), stdout);
+        return 0;
     });
 }
 

@@ -31,15 +31,15 @@ int run_evaluate(const Arguments& arguments) {
 
 } // namespace
 
-void add_evaluate(CLI::App& app, Run& run) {
+void add_evaluate(Command app) {
     const auto arguments = std::make_shared<Arguments>();
-    CLI::App* command = app.add_subcommand("evaluate", "accuracy tables on a folder of drawings with truth");
-    command->add_option("DATASET", arguments->dataset, "folder with index.ndjson, image/, label/, instance/")
-        ->required();
-    command->add_option("-o,--output", arguments->out, "folder for the results")->required();
-    add_detector_option(*command, arguments->common);
-    add_common_options(*command, arguments->common);
-    command->callback([arguments, &run] { run = [arguments] { return run_evaluate(*arguments); }; });
+    Command command = app.subcommand("evaluate", "accuracy tables on a folder of drawings with truth");
+    command.option("DATASET", arguments->dataset, "folder with index.ndjson, image/, label/, instance/")
+        .required();
+    command.option("-o,--output", arguments->out, "folder for the results").required();
+    add_detector_option(command, arguments->common);
+    add_common_options(command, arguments->common);
+    command.run([arguments] { return run_evaluate(*arguments); });
 }
 
 } // namespace pantin::cli

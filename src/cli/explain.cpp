@@ -28,20 +28,20 @@ int run_explain(const Arguments& arguments) {
 
 } // namespace
 
-void add_explain(CLI::App& app, Run& run) {
+void add_explain(Command app) {
     const auto arguments = std::make_shared<Arguments>();
-    CLI::App* command = app.add_subcommand(
+    Command command = app.subcommand(
         "explain", "the whole pipeline, and a page that shows what every step did: DIR/index.html");
-    command->add_option("IMAGE", arguments->image, "PNG or JPEG page, or AnimatedDrawings character folder")
-        ->required();
-    command->add_option("-o,--output", arguments->out, "folder for the results")->required();
-    add_render_options(*command, arguments->render);
-    add_override_options(*command, arguments->overrides);
-    add_motion_options(*command, arguments->common);
-    add_rotate_option(*command, arguments->common);
-    add_detector_option(*command, arguments->common);
-    add_common_options(*command, arguments->common);
-    command->callback([arguments, &run] { run = [arguments] { return run_explain(*arguments); }; });
+    command.option("IMAGE", arguments->image, "PNG or JPEG page, or AnimatedDrawings character folder")
+        .required();
+    command.option("-o,--output", arguments->out, "folder for the results").required();
+    add_render_options(command, arguments->render);
+    add_override_options(command, arguments->overrides);
+    add_motion_options(command, arguments->common);
+    add_rotate_option(command, arguments->common);
+    add_detector_option(command, arguments->common);
+    add_common_options(command, arguments->common);
+    command.run([arguments] { return run_explain(*arguments); });
 }
 
 } // namespace pantin::cli

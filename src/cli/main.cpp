@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
-#include <sstream>
+#include <utility>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -23,7 +23,6 @@ namespace {
 using namespace pantin;
 
 constexpr int exit_internal = static_cast<int>(ErrorKind::internal);
-constexpr int exit_usage = static_cast<int>(ErrorKind::usage);
 constexpr int exit_output = static_cast<int>(ErrorKind::output);
 
 constexpr const char* exit_codes =
@@ -44,39 +43,21 @@ std::string version_text() {
            (without.empty() ? "" : "\nwithout:" + without);
 }
 
-// Help and version go to standard output, everything else that CLI11 reports is a usage error.
-int report_parse(const CLI::App& app, const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) {
-        cli::print_error(std::string(error.what()) + " (pantin --help)");
-        return exit_usage;
-    }
-    std::ostringstream out, unused;
-    app.exit(error, out, unused);
-    std::fputs(out.str().c_str(), stdout);
-    return 0;
-}
-
 int run_command_line(int argc, char** argv) {
-    CLI::App app("pantin: a drawing of a character goes in, an animated character comes out", "pantin");
-    cli::Run run;
-    app.set_version_flag("--version", version_text());
-    app.require_subcommand(1);
-    app.footer(exit_codes);
-    cli::add_animate(app, run);
-    cli::add_steps(app, run);
-    cli::add_explain(app, run);
-    cli::add_model(app, run);
-    cli::add_manual(app, run);
-    cli::add_completion(app, run);
-    cli::add_evaluate(app, run);
-    cli::add_batch(app, run);
-    cli::add_verify(app, run);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return report_parse(app, error);
-    }
-    return run();
+    cli::Program program("pantin",
+                         "pantin: a drawing of a character goes in, an animated character comes out",
+                         version_text(), exit_codes);
+    const cli::Command app = program.command();
+    cli::add_animate(app);
+    cli::add_steps(app);
+    cli::add_explain(app);
+    cli::add_model(app);
+    cli::add_manual(app);
+    cli::add_completion(app);
+    cli::add_evaluate(app);
+    cli::add_batch(app);
+    cli::add_verify(app);
+    return program.parse(argc, argv)();
 }
 
 int run_and_report(int argc, char** argv) {

@@ -37,23 +37,22 @@ int run_model(const Arguments& arguments) {
 
 } // namespace
 
-void add_model(CLI::App& app, Run& run) {
+void add_model(Command app) {
     const auto arguments = std::make_shared<Arguments>();
-    CLI::App* command = app.add_subcommand(
-        "model", "strokes of parts, or a character's folder, to a rigged 3D model (RealSkel)");
+    Command command =
+        app.subcommand("model", "strokes of parts, or a character's folder, to a rigged 3D model (RealSkel)");
     command
-        ->add_option("STROKES", arguments->input,
-                     "strokes (.json, .svg), or the folder of a character with labels.png")
-        ->required();
-    command->add_option("-o,--output", arguments->out,
-                        "folder for the results; of a character: its folder model");
-    command->add_option("--calls", arguments->calls,
-                        "JSON file of calls to play after the strokes: move_part, set_symmetry, refine, ...");
-    command->add_flag("--animate", arguments->animate, "then identify, rig and render the model");
-    add_motion_options(*command, arguments->common);
-    add_render_options(*command, arguments->render);
-    add_common_options(*command, arguments->common);
-    command->callback([arguments, &run] { run = [arguments] { return run_model(*arguments); }; });
+        .option("STROKES", arguments->input,
+                "strokes (.json, .svg), or the folder of a character with labels.png")
+        .required();
+    command.option("-o,--output", arguments->out, "folder for the results; of a character: its folder model");
+    command.option("--calls", arguments->calls,
+                   "JSON file of calls to play after the strokes: move_part, set_symmetry, refine, ...");
+    command.flag("--animate", arguments->animate, "then identify, rig and render the model");
+    add_motion_options(command, arguments->common);
+    add_render_options(command, arguments->render);
+    add_common_options(command, arguments->common);
+    command.run([arguments] { return run_model(*arguments); });
 }
 
 } // namespace pantin::cli

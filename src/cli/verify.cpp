@@ -69,25 +69,25 @@ int run_verify(const Arguments& arguments) {
 
 } // namespace
 
-void add_verify(CLI::App& app, Run& run) {
+void add_verify(Command app) {
     const auto arguments = std::make_shared<Arguments>();
-    CLI::App* command = app.add_subcommand(
+    Command command = app.subcommand(
         "verify", "every stage on built-in drawings against stored results; or two folders of results");
-    command->add_option("DIR", arguments->folder,
-                        "folder to compare with that of --against, instead of verifying");
-    command->add_option("--against", arguments->against, "the other folder: of verify, animate or any step");
-    command->add_option("-o,--output", arguments->out,
-                        "folder for the stages' outputs; of a comparison for pictures of where they differ");
-    command->add_flag("--end-to-end", arguments->end_to_end,
-                      "every stage takes what the stage before has just made, not the stored input");
-    command->add_option("--config", arguments->common.config,
-                        "JSON file of options to change: shows which stages depend on them");
+    command.option("DIR", arguments->folder,
+                   "folder to compare with that of --against, instead of verifying");
+    command.option("--against", arguments->against, "the other folder: of verify, animate or any step");
+    command.option("-o,--output", arguments->out,
+                   "folder for the stages' outputs; of a comparison for pictures of where they differ");
+    command.flag("--end-to-end", arguments->end_to_end,
+                 "every stage takes what the stage before has just made, not the stored input");
+    command.option("--config", arguments->common.config,
+                   "JSON file of options to change: shows which stages depend on them");
     command
-        ->add_option("--threads", arguments->common.threads,
-                     "number of threads (default: all cores); results do not depend on it")
-        ->check(CLI::Range(1, 256));
-    command->add_flag("--quiet", arguments->common.quiet, "print errors only");
-    command->callback([arguments, &run] { run = [arguments] { return run_verify(*arguments); }; });
+        .option("--threads", arguments->common.threads,
+                "number of threads (default: all cores); results do not depend on it")
+        .range(1, 256);
+    command.flag("--quiet", arguments->common.quiet, "print errors only");
+    command.run([arguments] { return run_verify(*arguments); });
 }
 
 } // namespace pantin::cli

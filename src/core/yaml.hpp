@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include <nlohmann/json_fwd.hpp>
+#include "core/json.hpp"
 
 namespace pantin {
 
@@ -14,6 +14,6 @@ bool yaml_available();
 // The text of a file: maps, lists, numbers, true and false, null; every other scalar and whatever stands in
 // quotes is a string. Error(input) names `source` when the text is not YAML, has a map with keys that are no
 // scalars, or when this program was built without yaml-cpp.
-nlohmann::ordered_json parse_yaml(const std::string& text, const std::string& source);
+Json parse_yaml(const std::string& text, const std::string& source);
 
 } // namespace pantin

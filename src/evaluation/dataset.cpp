@@ -49,7 +49,7 @@ Dataset::Dataset(const fs::path& folder) : folder_(folder) {
         ++number;
         if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
         const std::string place = index.string() + ":" + std::to_string(number);
-        const nlohmann::ordered_json json = parse_json(line, place);
+        const Json json = parse_json(line, place);
         const JsonReader reader(json, place);
         Row row{reader.at("id").text(), {}};
         if (row.id.empty() || row.id.find('/') != std::string::npos || row.id.find("..") != std::string::npos)

@@ -48,13 +48,13 @@ std::string largest_key(const JsonReader& object) {
 
 void read_files(Answer& answer, const fs::path& folder) {
     if (const fs::path file = folder / file_names::segmentation; fs::exists(file)) {
-        const nlohmann::ordered_json json = parse_json(read_text(file), file.string());
+        const Json json = parse_json(read_text(file), file.string());
         const JsonReader reader(json, file.string());
         answer.expert = reader.at("expert").text();
         answer.pose = largest_key(reader.at("pose"));
     }
     if (const fs::path file = folder / file_names::identification; fs::exists(file)) {
-        const nlohmann::ordered_json json = parse_json(read_text(file), file.string());
+        const Json json = parse_json(read_text(file), file.string());
         const JsonReader reader(json, file.string());
         answer.reference = reader.at("type").text();
         answer.confidence = reader.at("confidence").number(0, 1);

@@ -5,16 +5,12 @@
 #include <functional>
 #include <map>
 
-#include <nlohmann/json.hpp>
-
 #include "core/json.hpp"
 #include "pantin/evaluation.hpp"
 
 namespace pantin {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Mean of what `value` gives, −1 left out.
 struct Mean {
@@ -165,7 +161,8 @@ std::string evaluation_to_json(const Evaluation& e) {
             row[column.name] = number_or_null(mean_of(members, column.measure).value());
     }
     json["identification"] = Json::object();
-    for (const auto& [type, answers] : confusion_of(e)) json["identification"][type] = answers;
+    for (const auto& [type, answers] : confusion_of(e))
+        for (const auto& [answer, count] : answers) json["identification"][type][answer] = count;
     json["stages"] = {{"detected", s.detected},
                       {"segmented", s.segmented},
                       {"skeleton", s.skeleton},

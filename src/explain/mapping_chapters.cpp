@@ -2,8 +2,7 @@
 // Step 5, first half: paths between ends, their distances, the subsequence bijection, the assignment.
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
+#include "core/json.hpp"
 #include "explain/chapters.hpp"
 #include "explain/palette.hpp"
 #include "explain/svg.hpp"
@@ -13,8 +12,6 @@
 namespace pantin {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int way_points = 40; // of a path that is drawn
 constexpr double chart_width = 360, chart_height = 150;

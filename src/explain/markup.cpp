@@ -6,8 +6,6 @@
 #include <charconv>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "core/json.hpp"
 #include "core/resources.hpp"
 #include "pantin/error.hpp"
@@ -85,7 +83,7 @@ std::string picture_uri(const RgbImage& image) { return data_uri("image/png", en
 std::string picture_uri(const RgbaImage& image) { return data_uri("image/png", encode_png(image)); }
 std::string picture_uri(const GreyImage& image) { return data_uri("image/png", encode_png(image)); }
 
-std::string script_json(const nlohmann::ordered_json& value) {
+std::string script_json(const Json& value) {
     std::string out;
     for (const char c : to_compact_json_text(value)) {
         if (c == '<')

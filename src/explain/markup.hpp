@@ -7,8 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include <nlohmann/json_fwd.hpp>
-
+#include "core/json.hpp"
 #include "pantin/grid.hpp"
 
 namespace pantin {
@@ -24,7 +23,7 @@ std::string picture_uri(const RgbaImage& image);
 std::string picture_uri(const GreyImage& image);
 
 // JSON that may stand in a <script> element.
-std::string script_json(const nlohmann::ordered_json& value);
+std::string script_json(const Json& value);
 
 // A file of src/explain/assets, compiled in. Error(internal) when there is none.
 std::string_view asset(const std::string& name);

@@ -2,8 +2,7 @@
 // Step 5, second half: the mesh by marching squares, bones and skin weights.
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
+#include "core/json.hpp"
 #include "explain/chapters.hpp"
 #include "explain/palette.hpp"
 #include "explain/svg.hpp"
@@ -11,8 +10,6 @@
 namespace pantin {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double border_width = 0.25; // of faces, in thin lines
 

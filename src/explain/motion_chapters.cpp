@@ -2,8 +2,7 @@
 // Step 6, and beyond the plane: the clips on the character, flat and inflated.
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
+#include "core/json.hpp"
 #include "explain/chapters.hpp"
 #include "explain/picture_size.hpp"
 #include "pantin/export.hpp"
@@ -13,8 +12,6 @@
 namespace pantin {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int film_side = 280;
 constexpr double film_fps = 12.5;

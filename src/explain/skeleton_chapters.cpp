@@ -4,8 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <nlohmann/json.hpp>
-
+#include "core/json.hpp"
 #include "explain/chapters.hpp"
 #include "explain/palette.hpp"
 #include "explain/svg.hpp"
@@ -14,8 +13,6 @@
 namespace pantin {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 const Skeletonization& skeletonization(const CharacterStory& story) {
     return story.character.skeletonization;

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Numbers in, the binary chunk and the accessors of a GLB out (glTF 2.0 specification, 3.6 and 4.4).
 #include "export/glb_buffer.hpp"
+#include "core/json.hpp"
 
 #include <algorithm>
 #include <bit>
 
-#include <nlohmann/json.hpp>
-
 namespace pantin {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 

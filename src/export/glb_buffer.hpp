@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
+#include "core/json.hpp"
 
 namespace pantin {
 
@@ -31,13 +31,13 @@ public:
     // A bare buffer view, for an image. Add it last, so that no offset depends on an encoder's length.
     int add_bytes(std::span<const unsigned char> bytes);
 
-    const nlohmann::ordered_json& accessors() const { return *accessors_; }
-    const nlohmann::ordered_json& views() const { return *views_; }
+    const Json& accessors() const { return *accessors_; }
+    const Json& views() const { return *views_; }
     const std::vector<unsigned char>& bytes() const { return bytes_; }
 
 private:
     std::vector<unsigned char> bytes_;
-    std::unique_ptr<nlohmann::ordered_json> accessors_, views_;
+    std::unique_ptr<Json> accessors_, views_;
 
     int add_view(std::size_t offset, int target);
     int add_accessor(int view, int component_type, std::size_t count, const char* type);

@@ -7,8 +7,6 @@
 #include <array>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
 #include "core/json.hpp"
 #include "core/math.hpp"
 #include "export/glb_buffer.hpp"
@@ -20,8 +18,6 @@
 namespace pantin {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Negative zeros would only make files differ that mean the same.
 float to_float(double value) { return static_cast<float>(value) + 0.0f; }

@@ -6,8 +6,6 @@
 #include <limits>
 #include <optional>
 
-#include <nlohmann/json.hpp>
-
 #include "core/file.hpp"
 #include "core/json_reader.hpp"
 #include "core/yaml.hpp"
@@ -107,7 +105,7 @@ std::string config_text(const Joints& joints, int width, int height) {
 }
 
 Joints parse_joints(const std::string& text, const std::string& file, int width, int height) {
-    const nlohmann::ordered_json config = parse_yaml(text, file);
+    const Json config = parse_yaml(text, file);
     const JsonReader reader(config, file);
     if (!reader.has("skeleton") || !config["skeleton"].is_array()) reader.fail("has no list \"skeleton\"");
     Joints joints;

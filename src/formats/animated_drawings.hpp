@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Character folders of AnimatedDrawings (facebookresearch/AnimatedDrawings): texture.png, mask.png and
-// char_cfg.yaml, the joints of a human figure. Needs yaml-cpp (built with YAML=1).
+// char_cfg.yaml, the joints of a human figure. Reading needs yaml-cpp (yaml_available).
 #pragma once
 
 #include <array>

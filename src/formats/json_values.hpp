@@ -4,15 +4,11 @@
 
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
 #include "pantin/point.hpp"
 
 namespace pantin {
-
-using Json = nlohmann::ordered_json;
 
 constexpr long max_side = 16384; // of a page, pixels (docs/formats.md, "Limits")
 constexpr double huge = 1e15;    // beyond any number that a run writes

@@ -76,6 +76,19 @@ bool is_frame_header(unsigned marker) {
     return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
 }
 
+// Whether a define-Huffman-table segment (B.2.4.2) holds whole tables of at most 256 codes. stb_image does
+// not look before it writes them into arrays of that size.
+bool huffman_tables_fit(Bytes segment) {
+    while (!segment.empty()) {
+        if (segment.size() < 17) return false;
+        std::size_t codes = 0;
+        for (std::size_t length = 1; length <= 16; ++length) codes += segment[length];
+        if (codes > 256 || codes > segment.size() - 17) return false;
+        segment = segment.subspan(17 + codes);
+    }
+    return true;
+}
+
 // Position of the next marker's 0xff at or after `at` (in entropy-coded data 0xff00 and restarts are no
 // markers).
 std::size_t next_marker(Bytes bytes, std::size_t at) {
@@ -103,6 +116,8 @@ ContainerInfo read_jpeg(Bytes bytes) {
             const std::size_t length = left < 2 ? 0 : big_endian_16(bytes, at);
             if (length < 2 || length > left) break;
             const Bytes segment = bytes.subspan(at + 2, length - 2);
+            if (marker == 0xc4 && !huffman_tables_fit(segment))
+                return info.problem = "the JPEG is damaged (a Huffman table)", info;
             if (is_frame_header(marker) && segment.size() >= 5 && info.width == 0) {
                 info.height = big_endian_16(segment, 1);
                 info.width = big_endian_16(segment, 3);

@@ -51,9 +51,13 @@ ContainerInfo check_container(const std::string& source, Bytes bytes, int min_si
 
 Pixels decode(const std::string& source, Bytes bytes, const ContainerInfo& info, int channels) {
     int width = 0, height = 0, in_file = 0;
+    stbi__g_failure_reason = nullptr; // not that of the picture before
     Pixels pixels(stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height,
                                         &in_file, channels));
-    if (!pixels) invalid(source, std::string("cannot be decoded: ") + stbi_failure_reason());
+    if (!pixels) {
+        const char* reason = stbi_failure_reason(); // null where the decoder gives none
+        invalid(source, std::string("cannot be decoded: ") + (reason ? reason : "its data is damaged"));
+    }
     if (static_cast<std::uint32_t>(width) != info.width || static_cast<std::uint32_t>(height) != info.height)
         invalid(source, "cannot be decoded: its headers disagree on the dimensions");
     return pixels;

@@ -6,16 +6,12 @@
 #include <map>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
-
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
 #include "pantin/strokes.hpp"
 
 namespace pantin {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double huge = 1e15;
 constexpr double most_degrees = 1e6; // sine and cosine are exact to the last bit up to here

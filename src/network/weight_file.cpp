@@ -7,15 +7,12 @@
 #include <limits>
 #include <set>
 
-#include <nlohmann/json.hpp>
-
+#include "core/json.hpp"
 #include "pantin/error.hpp"
 #include "pantin/network.hpp"
 
 namespace pantin::network {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr std::size_t length_bytes = 8;
 constexpr std::size_t max_header = 100'000'000; // the specification's limit
@@ -35,22 +32,13 @@ std::size_t bytes_per_element(const std::string& type) {
     return 0;
 }
 
-// Parses the header; a key that occurs twice in one object, and nesting deeper than a tensor's, are errors.
+// A key that occurs twice in one object is an error, too.
 Json parse_header(const WeightFile& file, const char* begin, const char* end) {
-    std::vector<std::set<std::string>> keys; // of the objects that are open
-    const auto check = [&](int depth, Json::parse_event_t event, Json& value) {
-        if (depth > 4) file.fail("the header is nested too deeply");
-        if (event == Json::parse_event_t::object_start) keys.emplace_back();
-        if (event == Json::parse_event_t::object_end) keys.pop_back();
-        if (event == Json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
-            file.fail("'" + value.get<std::string>() + "' occurs twice in the header");
-        return true;
-    };
     Json header;
     try {
-        header = Json::parse(begin, end, check);
-    } catch (const Json::exception&) {
-        file.fail("the header is not valid JSON");
+        header = parse_json(std::string(begin, end), "the header", Twice::is_an_error);
+    } catch (const Error& error) {
+        file.fail(error.what());
     }
     if (!header.is_object()) file.fail("the header is not a table of tensors");
     return header;

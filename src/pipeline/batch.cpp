@@ -10,8 +10,6 @@
 #include <new>
 #include <system_error>
 
-#include <nlohmann/json.hpp>
-
 #include "core/file.hpp"
 #include "core/json.hpp"
 #include "core/thread_pool.hpp"
@@ -23,8 +21,6 @@ namespace pantin {
 namespace fs = std::filesystem;
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // --- one page ----------------------------------------------------------------------------------------------
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include <nlohmann/json.hpp>
-
 #include "core/decimal.hpp"
 #include "core/file.hpp"
 #include "core/json.hpp"
@@ -15,8 +13,6 @@
 namespace pantin {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Former names of options. A configuration may use them for one release; they are not listed.
 constexpr RenamedOption former_names[] = {

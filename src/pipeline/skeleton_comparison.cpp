@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
 #include "core/file.hpp"
 #include "core/json.hpp"
 #include "formats/file_names.hpp"
@@ -117,7 +115,7 @@ RgbImage comparison_picture(const std::vector<ComparedSkeleton>& skeletons, cons
 }
 
 std::string comparison_to_json(const std::vector<ComparedSkeleton>& skeletons) {
-    nlohmann::ordered_json json;
+    Json json;
     for (const ComparedSkeleton& compared : skeletons) {
         const SkeletonGraph& graph = compared.skeletonization.graph;
         const auto ends =

@@ -16,7 +16,7 @@ namespace pantin {
 namespace {
 
 struct GlbValues {
-    nlohmann::ordered_json json;
+    Json json;
     RgbaImage picture; // empty when there is none
 };
 
@@ -38,7 +38,7 @@ GlbValues take_apart(const std::string& name, const std::string& bytes) {
         values.picture = decode_rgba(std::span(glb.binary).subspan(offset, length), name);
         view.erase("byteLength");
     }
-    values.json = json;
+    values.json = parse_json(json.dump(), name);
     return values;
 }
 

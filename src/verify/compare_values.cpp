@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
-
 #include "core/decimal.hpp"
 #include "core/json.hpp"
 #include "verify/values.hpp"
@@ -16,16 +14,13 @@ namespace pantin {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t most_shown = 60; // characters of a value in a report
 constexpr int deepest = 200;           // values in values; ours lie no deeper than 8
 
 std::string shown(const Json& value) {
-    if (value.is_number_float()) return to_decimal(value.get<double>());
     if (value.is_array()) return std::to_string(value.size()) + " elements";
     if (value.is_object()) return "an object of " + std::to_string(value.size());
-    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return to_compact_json_text(value);
 }
 
 void walk(Differences& differences, const std::string& place, const Json& first, const Json& second,

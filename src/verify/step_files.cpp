@@ -4,8 +4,6 @@
 #include "verify/step_files.hpp"
 #include "formats/file_names.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "core/digest.hpp"
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
@@ -14,8 +12,6 @@
 namespace pantin {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double huge = 1e15;
 constexpr long most = 1'000'000;

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "cli/demo.hpp"
+#include "pantin/version.hpp"
 
 using namespace pantin::test;
 
@@ -28,6 +29,8 @@ TEST_CASE("make install and uninstall: program, library, headers, man pages, com
           "share/bash-completion/completions/pantin", "share/zsh/site-functions/_pantin",
           "share/fish/vendor_completions.d/pantin.fish"})
         CHECK(fs::exists(folder / "usr" / file));
+    CHECK(read(folder / "usr/lib/pkgconfig/pantin.pc").find("\nVersion: " PANTIN_VERSION "\n") !=
+          std::string::npos);
     REQUIRE(shell("env -u MAKEFLAGS -u MAKELEVEL make uninstall" + where) == 0);
     for (const auto& entry : fs::recursive_directory_iterator(folder.path())) {
         CAPTURE(entry.path().string());

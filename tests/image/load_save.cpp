@@ -2,6 +2,8 @@
 // Pictures in and out: every kind of PNG and JPEG, and damaged ones.
 #include <catch2/catch.hpp>
 
+#include <thread>
+
 #include "image/containers.hpp"
 #include "image_files.hpp"
 #include "pantin/image.hpp"
@@ -19,6 +21,20 @@ std::string message_of(const std::filesystem::path& file, ErrorKind expected = E
         CHECK(error.kind() == expected);
         CHECK(std::string(error.what()).find('\n') == std::string::npos);
         CHECK_THAT(error.what(), Contains(file.filename().string()));
+        return error.what();
+    }
+    return "no error";
+}
+
+// What a PNG of 16 x 16 grey pixels says with this in its IDAT chunk.
+std::string message_of_data(const Bytes& compressed) {
+    Bytes png = png_header(16, 16, 8, 0);
+    append(png, chunk("IDAT", compressed));
+    append(png, chunk("IEND", {}));
+    try {
+        decode_image(png, "page.png", 16);
+    } catch (const Error& error) {
+        CHECK(error.kind() == ErrorKind::input);
         return error.what();
     }
     return "no error";
@@ -213,6 +229,45 @@ TEST_CASE("Truncated and damaged files are errors at every length") {
     Bytes longer = files[1];
     append(longer, {1, 2, 3}); // cameras append data behind the picture
     CHECK(message_of(folder.write("longer.jpg", longer)) == "no error");
+}
+
+TEST_CASE("Compressed data of any first bytes is a picture or an error with a reason") {
+    CHECK(message_of_data(stored_zlib(Bytes(16 * 17, 0))) == "no error");
+    const std::string prefix = "page.png: cannot be decoded: ";
+    for (int byte = 0; byte < 256; ++byte) {
+        const auto any = static_cast<unsigned char>(byte);
+        for (const Bytes& compressed :
+             {Bytes{any}, Bytes{0x78, any}, Bytes{0x78, 0x01, any}, Bytes{0x78, 0x01, any, 0x24},
+              Bytes{0x78, 0x01, 0x01, any, 0, any, 0}}) {
+            // In a thread of its own: the decoder's reason is the thread's, and null before the first.
+            std::string message;
+            std::thread([&] { message = message_of_data(compressed); }).join();
+            CAPTURE(byte, compressed.size());
+            CHECK(message.starts_with(prefix));
+            CHECK(message.size() > prefix.size());
+        }
+    }
+}
+
+TEST_CASE("A JPEG whose Huffman tables have too many codes, or end early, is damaged") {
+    const Bytes whole = make_jpeg(asymmetric_picture(), 90);
+    constexpr unsigned char marker[] = {0xff, 0xc4};
+    const auto table = std::search(whole.begin(), whole.end(), std::begin(marker), std::end(marker));
+    REQUIRE(table != whole.end());
+    const auto counts = static_cast<std::size_t>(table - whole.begin()) + 5; // behind marker, length and name
+    for (std::size_t length = 0; length < 16; ++length) {
+        Bytes damaged = whole;
+        damaged[counts + length] = 0xff;
+        CHECK_THROWS_WITH(decode_image(damaged, "page.jpg", 16), Contains("page.jpg: the JPEG is damaged (a Huffman table)"));
+    }
+}
+
+TEST_CASE("A reason is not that of the picture before") {
+    const Bytes without_reason{0x78, 0x01, 0x07}; // a kind of block that does not exist
+    std::string alone;
+    std::thread([&] { alone = message_of_data(without_reason); }).join();
+    CHECK(message_of_data({0x79, 0x01}) != alone);
+    CHECK(message_of_data(without_reason) == alone);
 }
 
 TEST_CASE("A grey file with colours is refused, one saved with colour channels is read") {

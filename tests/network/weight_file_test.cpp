@@ -132,15 +132,15 @@ TEST_CASE("A header that lies about a tensor is refused by name") {
 }
 
 TEST_CASE("A header that is no table of tensors is refused") {
-    CHECK(failure("", {}) == "file.safetensors: the header is not valid JSON");
-    CHECK(failure("{", {}) == "file.safetensors: the header is not valid JSON");
+    CHECK(failure("", {}) == "file.safetensors: the header: not valid JSON (line 1)");
+    CHECK(failure("{", {}) == "file.safetensors: the header: not valid JSON (line 1)");
     CHECK(failure("[]", {}) == "file.safetensors: the header is not a table of tensors");
-    CHECK(failure("{\"a\xff\":{}}", {}) == "file.safetensors: the header is not valid JSON");
-    CHECK(failure(R"({"a":1,"a":2})", {}) == "file.safetensors: 'a' occurs twice in the header");
+    CHECK(failure("{\"a\xff\":{}}", {}) == "file.safetensors: the header: not valid JSON (line 1)");
+    CHECK(failure(R"({"a":1,"a":2})", {}) == "file.safetensors: the header: 'a' occurs twice");
     CHECK(failure(R"({"a":{"dtype":"F32","dtype":"F32"}})", {}) ==
-          "file.safetensors: 'dtype' occurs twice in the header");
+          "file.safetensors: the header: 'dtype' occurs twice");
     CHECK(failure(R"({"__metadata__":{"x":1}})", {}) == "file.safetensors: metadata 'x' is not a text");
-    CHECK(failure(std::string(100000, '['), {}) == "file.safetensors: the header is nested too deeply");
+    CHECK(failure(std::string(100000, '['), {}) == "file.safetensors: the header: nested too deeply");
     Bytes huge = file_of(good_header, good_data);
     for (int i = 0; i < 8; ++i) huge[i] = 0xff;
     CHECK(failure(huge) == "file.safetensors: no safetensors file, or truncated inside the header");

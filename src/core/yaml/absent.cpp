@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Built without yaml-cpp (`make YAML=0`): YAML files cannot be read.
+#include "core/json.hpp"
 #include "core/yaml.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include "pantin/error.hpp"
 
@@ -10,7 +9,7 @@ namespace pantin {
 
 bool yaml_available() { return false; }
 
-nlohmann::ordered_json parse_yaml(const std::string&, const std::string& source) {
+Json parse_yaml(const std::string&, const std::string& source) {
     throw Error(ErrorKind::input, source + ": this pantin was built without YAML (make YAML=1)");
 }
 

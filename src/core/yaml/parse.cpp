@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // YAML (1.2, as yaml-cpp reads it) to JSON values.
+#include "core/json.hpp"
 #include "core/yaml.hpp"
 
-#include <nlohmann/json.hpp>
 #include <yaml-cpp/yaml.h>
 
 #include "pantin/error.hpp"
@@ -10,8 +10,6 @@
 namespace pantin {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // An alias may stand for much, so a small text can be a huge value.
 constexpr int deepest = 100, most_nodes = 1'000'000;

@@ -10,7 +10,6 @@
 #include <string_view>
 #include <utility>
 
-#include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
 #include "core/decimal.hpp"
@@ -22,8 +21,6 @@
 
 namespace pantin {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int deepest = 200;        // groups in groups
 constexpr double same_place = 1e-9; // share of the diagonal: a path that ends so near its beginning is closed
