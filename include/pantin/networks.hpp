@@ -17,7 +17,8 @@ namespace pantin {
 class Networks {
 public:
     explicit Networks(std::filesystem::path weights = {}) : folder_(std::move(weights)) {} // as in Settings
-    // Error(weights) when the weights are missing or invalid; the next call tries again.
+    // The detector (thesis 4.2) and the segmenter (4.3). Error(weights) names the file when the weights are
+    // missing or invalid; the next call tries again.
     const CharacterFinder& finder();
     const Segmenter& segmenter();
 

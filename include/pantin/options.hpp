@@ -36,21 +36,23 @@ struct Options {
     AnimationOptions animation;
 };
 
-// "default" or "thesis" (the thesis to the letter where it can be, with its errata applied).
-// Error(usage) for another name.
+// "default" (what gives the best results) or "thesis" (the thesis to the letter where it can be, with its
+// errata applied; each value's source stands beside it in options.cpp). Error(usage) for another name.
 Options make_preset(std::string_view name);
 // Sets the options that a JSON file names, as `{"skeletonization": {"residual_threshold": 20}}` or as
-// `{"skeletonization.residual_threshold": 20}`. Error(input) names the file and the option.
+// `{"skeletonization.residual_threshold": 20}`. Error(input) names the file and the option. Own format
+// (docs/formats.md, "Configuration").
 void apply_config(Options& options, const std::filesystem::path& file);
-// The same with the JSON at hand; `source` stands for the file in messages.
+// The same with the JSON at hand; `source` stands for the file in messages. Errors and source as above.
 void apply_config_text(Options& options, const std::string& json, const std::string& source);
-// Every option with its value as JSON text, in a fixed order.
+// Every option, "group.field", with its value as JSON text, in a fixed order. No errors. Own.
 std::vector<std::pair<std::string, std::string>> list_options(const Options& options);
 
-// An option that had another name; a configuration may use the former one for a release. No errors; own.
+// An option that had another name; a configuration may use the former one for a release.
 struct RenamedOption {
     std::string_view former, name;
 };
+// All of them. No errors. Own.
 std::span<const RenamedOption> renamed_options();
 
 } // namespace pantin

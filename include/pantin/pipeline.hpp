@@ -20,23 +20,26 @@ namespace pantin {
 // The whole pipeline: `image`, a picture or an AnimatedDrawings character folder, to out/page.json and one
 // folder a character (and out/scene.* when that is wanted). A character that cannot go on keeps the files it
 // has and says why in its status. Throws Error(not_animated) when none could be animated, after page.json is
-// written; Error(no_character) when there is none. page.json is the last file to get its final content, so a
-// run that was cut off does not look finished.
+// written; Error(no_character) when there is none (thesis Fig. 4.1). page.json is the last file to get its
+// final content, so a run that was cut off does not look finished.
 Page animate(const std::filesystem::path& image, const std::filesystem::path& out, const Settings& settings);
-// The same with networks that other pages use, too; the weights of the settings do not count.
+// The same with networks that other pages use, too; the weights of the settings do not count. Same errors.
 Page animate(const std::filesystem::path& image, const std::filesystem::path& out, const Settings& settings,
              Networks& networks);
 
-// Step 1. Replaces the characters of a former run in `out`.
+// Step 1 (thesis 4.2): page.json, and drawing and mask of each character. Replaces the results of a former
+// run in `out`. Error(no_character) when there is none, Error(input) for a bad picture.
 Page detect_page(const std::filesystem::path& image, const std::filesystem::path& out,
                  const Settings& settings);
 
-// Steps 2 to 6 on a character's folder. They keep the status in the page.json beside the folder, if there is
-// one, up to date, and throw Error(not_animated) when the character cannot go on.
+// Steps 2 to 6 (thesis 4.3 to 4.6) on a character's folder: each reads the files of the steps before it and
+// writes its own. They keep the status in the page.json beside the folder, if there is one, up to date, and
+// throw Error(not_animated) when the character cannot go on. Error(input) names the file that is missing,
+// invalid, or does not fit the others.
 void segment_folder(const std::filesystem::path& folder, const Settings& settings);
 void skeletonize_folder(const std::filesystem::path& folder, const Settings& settings);
-// The skeletons of all methods side by side, for looking at: skeletons.png and skeletons.json. Reads labels
-// and drawing.
+// The skeletons of all methods side by side, to compare them by eye: skeletons.png and skeletons.json. Reads
+// labels and drawing. Error(input) as above. Own.
 void compare_skeletons_folder(const std::filesystem::path& folder, const Settings& settings);
 void identify_folder(const std::filesystem::path& folder, const Settings& settings);
 void rig_folder(const std::filesystem::path& folder, const Settings& settings);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the subcommands share: common options, the bar, the way errors reach the user. No algorithm lives in
-// this room.
+// What the subcommands share: common options, the progress bar, the way errors reach the user. No algorithm
+// lives in this module.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the path distance looks at: a skeleton inside a shape (thesis 4.6).
+// What the path distance compares: a skeleton inside a shape (thesis 4.6).
 #pragma once
 
 #include "pantin/grid.hpp"
