@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Options that several subcommands take, to the settings of a run; exceptions to one line on stderr and an
+// exit code.
 #include "cli/command.hpp"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Joints of a char_cfg.yaml in, part labels of its mask out; a humanoid rig in, such a folder out (Smith et
+// al. 2023, AnimatedDrawings).
 #include "formats/animated_drawings.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Products of the steps to the files of a character's folder, and back (docs/formats.md).
 #include "formats/character_folder.hpp"
 
 #include "core/file.hpp"

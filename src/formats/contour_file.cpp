@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Borders of the silhouette to the text of contour.json (thesis 4.4).
 #include "formats/contour_file.hpp"
 
 #include "formats/json_values.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Candidates and decision to the text of identification.json, and back (thesis 4.5).
 #include "formats/identification_file.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Pairs of end-effectors with their costs to the text of mapping.json, and back (thesis 4.6).
 #include "formats/mapping_file.hpp"
 
 #include <algorithm>

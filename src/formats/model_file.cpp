@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// A model with the view of its pictures to the text of model.json; a model's folder to the solid it describes
+// (RealSkel).
 #include "formats/model_file.hpp"
 
 #include "core/file.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The page and its characters to the text of page.json, and back (thesis 4.2).
 #include "formats/page_file.hpp"
 
 #include "core/file.hpp"

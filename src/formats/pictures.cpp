@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Files of a character's folder to drawing, mask and labels, checked against each other.
 #include "formats/pictures.hpp"
 
 #include "formats/file_names.hpp"

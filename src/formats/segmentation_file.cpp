@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The network's answers and the areas of the parts to the text of segmentation.json (thesis 4.3).
 #include "formats/segmentation_file.hpp"
 
 #include "formats/json_values.hpp"

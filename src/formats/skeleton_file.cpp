@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The skeleton graph to the text of skeleton.json, and back (thesis 4.4).
 #include "formats/skeleton_file.hpp"
 
 #include "formats/json_values.hpp"

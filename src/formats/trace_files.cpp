@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Intermediate products of the steps to the pictures and JSON files of the folder trace.
 #include "formats/trace_files.hpp"
 
 #include <algorithm>

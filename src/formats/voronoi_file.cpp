@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Edges of the Voronoi diagram with their residuals to the text of voronoi.json (thesis 3.4, 4.4).
 #include "formats/voronoi_file.hpp"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The text of weights.txt to skin weights; every bone and vertex is checked against the rig (thesis ch. 5).
 #include "formats/weights_file.hpp"
 
 #include <algorithm>

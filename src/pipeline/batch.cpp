@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// One page to one line of the output, with its failure if it has one; tasks shared out over threads, their
+// results handed on in order (docs/batch.md).
 #include "pipeline/batch.hpp"
 
 #include <algorithm>

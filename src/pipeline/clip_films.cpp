@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A character's animations and the settings in, the clips to show with view and file names out (thesis 6.1).
 #include "pipeline/clip_films.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Settings to what a run shares: references and the recorded motion, loaded when a step asks for them.
 #include "pipeline/context.hpp"
 
 #include "core/file.hpp"

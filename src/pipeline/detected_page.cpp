@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// A picture to the page and its characters, by detection or as the user gives them; the status of a character
+// in its page (thesis 4.2).
 #include "pipeline/detected_page.hpp"
 
 #include <system_error>

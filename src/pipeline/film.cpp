@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A rig and a clip to frames, and frames to files of the wanted formats (thesis 6.1).
 #include "pipeline/film.hpp"
 
 #include <algorithm>

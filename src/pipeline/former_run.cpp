@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// What a former run wrote, by the names of docs/formats.md, and its removal.
 #include "pipeline/former_run.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A rigged solid to one picture of four views: front, side, top, three quarters.
 #include "pipeline/model_sheet.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Mask, labels or joints that the user gives to a character as detection would make it.
 #include "pipeline/overrides.hpp"
 
 #include <algorithm>

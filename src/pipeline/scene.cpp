@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Rigged characters and their page to one film: each moves in its place, over the page from which they are
+// taken off and the holes filled in. Own.
 #include "pipeline/scene.hpp"
 
 #include <algorithm>

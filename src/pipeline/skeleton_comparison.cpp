@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Part labels to the skeletons of all methods (thesis 3.4, 4.4), side by side in one picture.
 #include "pipeline/skeleton_comparison.hpp"
 
 #include <algorithm>
