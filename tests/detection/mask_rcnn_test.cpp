@@ -9,7 +9,9 @@
 #include "core/file.hpp"
 #include "core/random.hpp"
 #include "detection/mask_rcnn/mask_rcnn.hpp"
+#include "pantin/detection.hpp"
 #include "pantin/error.hpp"
+#include "pantin/image.hpp"
 #include "support/weight_files.hpp"
 
 namespace pantin::mask_rcnn {
@@ -178,6 +180,39 @@ TEST_CASE("A Mask R-CNN weight file that does not fit is refused with the fact")
     CHECK(failure(with_text(weights(), "\"min_size\":\"96\"", "\"min_size\":\"-6\"")) ==
           "w: metadata 'min_size' has the impossible value '-6'");
     CHECK(failure(Bytes(weights().begin(), weights().end() - 1)).rfind("w: ", 0) == 0);
+}
+
+TEST_CASE("The metadata of the weight file chooses the detection network") {
+    const auto refused = [](const Bytes& bytes) { return failure_of([&] { CharacterFinder(bytes, "w"); }); };
+    CHECK(refused(weights()) == "");
+    CHECK(refused(with_header(weights(), "\"model\":\"pantin.mask_rcnn\",", "")) == "");
+    CHECK(refused(with_header(weights(), "pantin.mask_rcnn", "detr")) ==
+          "w: metadata 'model' is 'detr', which is no detection network (pantin.mask_rcnn)");
+    // One channel of the file's first layer cannot take three colours.
+    CHECK(refused(with_header(with_header(weights(), "\"image_mean\":\"0\"", "\"image_mean\":\"0,0,0\""),
+                              "\"image_std\":\"1\"", "\"image_std\":\"1,1,1\""))
+              .starts_with("w: tensor 'backbone.body.conv1.weight' has shape"));
+}
+
+TEST_CASE("A finder's characters are the network's on the ink of the page") {
+    RgbImage page(200, 130, Rgb8{255, 255, 255});
+    for (int y = 30; y < 90; ++y)
+        for (int x = 40; x < 110; ++x) page(x, y) = Rgb8{30, 30, 30};
+    const CharacterFinder finder(weights(), "w");
+    const auto found = finder.find(page);
+    // 160 is the file's max_size, so the page is averaged down to it.
+    const Network net = load_network(WeightFile(weights(), "w"));
+    const Grid<float> ink = resize(ink_darkness(page), 160, 104);
+    Tensor image(1, 1, 104, 160);
+    std::copy(ink.begin(), ink.end(), image.begin());
+    const std::vector<Detection> direct = net.forward(image, Runtime());
+    REQUIRE(found.size() == direct.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        CHECK(found[i].score == direct[i].score);
+        CHECK(found[i].left == direct[i].box.left * 1.25);
+        CHECK(found[i].bottom == direct[i].box.bottom * 1.25);
+        CHECK(std::equal(found[i].mask.begin(), found[i].mask.end(), direct[i].mask.begin()));
+    }
 }
 
 } // namespace pantin::mask_rcnn
