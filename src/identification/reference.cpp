@@ -21,8 +21,6 @@
 namespace pantin {
 namespace {
 
-using json = JsonReader::Json;
-
 constexpr int max_nodes = 40; // the search of the graph distance is exact up to here
 constexpr int max_joints = 64;
 constexpr int max_clips = 32;
@@ -32,7 +30,7 @@ constexpr std::size_t max_file_bytes = 1 << 20;
 void expect_keys(const JsonReader& reader, std::initializer_list<std::string_view> known) {
     for (const auto& entry : reader.entries())
         if (std::find(known.begin(), known.end(), entry.first) == known.end())
-            reader.fail("unknown key " + json(entry.first).dump());
+            reader.fail("unknown key " + to_compact_json_text(entry.first));
 }
 
 std::string read_name(const JsonReader& reader) {
@@ -201,7 +199,7 @@ bool is_humanoid(const ReferenceSkeleton& reference) {
 }
 
 ReferenceSkeleton parse_reference(std::span<const unsigned char> bytes, const std::string& source) {
-    const json document = parse_json(std::string(bytes.begin(), bytes.end()), source);
+    const Json document = parse_json(std::string(bytes.begin(), bytes.end()), source);
     return read_skeleton(JsonReader(document, source));
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "export/decode_film.hpp"
+#include "pantin/export.hpp"
 #include "verify/bytes.hpp"
 #include "verify/values.hpp"
 
