@@ -714,7 +714,7 @@ TEST_CASE("A stroke without three different points is an error") {
           "strokes.json: part 'tail'.stroke[0][1]: must lie between -1e+15 and 1e+15");
     CHECK(stroke_error("[[1, NaN]]") == "strokes.json: not valid JSON (line 1)");
     CHECK(stroke_error("[[1, Infinity]]") == "strokes.json: not valid JSON (line 1)");
-    CHECK(stroke_error("[[1, 1e999]]") == "strokes.json: not valid JSON");
+    CHECK(stroke_error("[[1, 1e999]]") == "strokes.json: not valid JSON (line 1)");
 }
 
 TEST_CASE("A bad part is an error that names file, part and fact") {

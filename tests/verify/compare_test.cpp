@@ -68,7 +68,10 @@ TEST_CASE("JSON: structure", "[verify]") {
     CHECK(missing.values == 2);
     CHECK(difference("a.json", R"({"a": 1})", R"({"a": "1"})").second == "\"1\"");
     const std::string deep(100'000, '['), ends(100'000, ']');
-    CHECK(difference("a.json", deep + "1" + ends, deep + "2" + ends).first == "nested too deeply");
+    CHECK_THROWS_WITH(difference("a.json", deep + "1" + ends, deep + "2" + ends),
+                      "a.json: nested too deeply");
+    const std::string open(400, '['), close(400, ']');
+    CHECK(difference("a.json", open + "1" + close, open + "2" + close).first == "nested too deeply");
 }
 
 TEST_CASE("Text: words that are numbers by their values", "[verify]") {
