@@ -212,5 +212,6 @@ TEST_CASE("chordal axes of masks of noise, of lines and of dots") {
     const std::vector<std::vector<std::string>> pictures = {
         {"#"}, {"##"}, {"########"}, {"#..", ".#.", "..#"}, {"#.#", ".#.", "#.#"}};
     for (const auto& rows : pictures)
-        CHECK(topology(restore_topology(chordal_ridges(picture(rows), 1), picture(rows))) == PiecesAndHoles{1, 0});
+        CHECK(topology(restore_topology(chordal_ridges(picture(rows), 1), picture(rows))) ==
+              PiecesAndHoles{1, 0});
 }
