@@ -30,7 +30,7 @@ TEST_CASE("base64 of RFC 4648's examples", "[explain]") {
 
 TEST_CASE("text cannot become markup", "[explain]") {
     CHECK(escaped("a<b>&\"'c") == "a&lt;b&gt;&amp;&quot;&#39;c");
-    const nlohmann::ordered_json value = {{"name", "</script><!--"}};
+    const Json value = {{"name", "</script><!--"}};
     const std::string text = script_json(value);
     CHECK(text.find('<') == std::string::npos);
     CHECK(nlohmann::json::parse(text)["name"] == "</script><!--");
