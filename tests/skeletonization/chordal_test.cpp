@@ -109,7 +109,7 @@ TEST_CASE("the chordal axis of a rectangle is its middle line up to half its wid
             }
         CHECK(first == Approx(9.5 + height / 2.0).margin(3));
         CHECK(last == Approx(209.5 - height / 2.0).margin(3));
-        CHECK(topology(fill_spurious_cycles(ridges, mask)) == PiecesAndHoles{1, 0});
+        CHECK(topology(fill_spurious_cycles(ridges, mask)) == CountedTopology{1, 0});
     }
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("the chordal axis of a ring is a cycle, that of a disc is nothing") {
     CHECK(count(chordal_ridges(ring, 60)) == 0);
     fill_disc(ring, 60, 60, 30, 0);
     const Mask ridges = chordal_ridges(ring, 20);
-    CHECK(topology(ridges) == PiecesAndHoles{1, 1});
+    CHECK(topology(ridges) == CountedTopology{1, 1});
     for (int y = 0; y < 120; ++y)
         for (int x = 0; x < 120; ++x)
             if (ridges(x, y)) CHECK(length(Point2d{x - 60.0, y - 60.0}) == Approx(40.5).margin(1.5));
@@ -213,5 +213,5 @@ TEST_CASE("chordal axes of masks of noise, of lines and of dots") {
         {"#"}, {"##"}, {"########"}, {"#..", ".#.", "..#"}, {"#.#", ".#.", "#.#"}};
     for (const auto& rows : pictures)
         CHECK(topology(restore_topology(chordal_ridges(picture(rows), 1), picture(rows))) ==
-              PiecesAndHoles{1, 0});
+              CountedTopology{1, 0});
 }

@@ -166,7 +166,7 @@ TEST_CASE("graphs of random skeletons are canonical and have their cycles and co
         const Mask skeleton = remove_redundant_pixels(zhang_suen(mask));
         const SkeletonGraph graph = extract_graph(skeleton, all_of(mask, L));
         check_canonical(graph);
-        const PiecesAndHoles expected = topology(skeleton);
+        const CountedTopology expected = topology(skeleton);
         REQUIRE(graph_components(graph) == expected.components);
         REQUIRE(cycles(graph) <= expected.holes); // a hole of a few pixels may lie inside a junction
         many += cycles(graph) == expected.holes;

@@ -58,7 +58,7 @@ TEST_CASE("a short tail that no ridge enters gets an end, a patch upon the body 
     CHECK(ends_with(s.graph, Label::tail) == 1);
     CHECK(ends_with(s.graph, Label::wing) == 0);
     CHECK(ends_with(s.graph, Label::head) == 1);
-    CHECK(topology(s.skeleton) == PiecesAndHoles{1, 0});
+    CHECK(topology(s.skeleton) == CountedTopology{1, 0});
     options.recover_parts_share = 0.5; // smaller than half of the shape: noise
     CHECK(ends_with(skeletonize(stubby(), options).graph, Label::tail) == 0);
 }

@@ -70,12 +70,12 @@ inline LabelMap all_of(const Mask& mask, Label label) {
 }
 
 // Numbers of 8-connected foreground components and of 4-connected holes.
-struct PiecesAndHoles {
+struct CountedTopology {
     int components = 0, holes = 0;
-    bool operator==(const PiecesAndHoles&) const = default;
+    bool operator==(const CountedTopology&) const = default;
 };
-inline PiecesAndHoles topology(const Mask& mask) {
-    PiecesAndHoles result;
+inline CountedTopology topology(const Mask& mask) {
+    CountedTopology result;
     for (const Border& border : follow_borders(mask)) (border.outer ? result.components : result.holes) += 1;
     return result;
 }

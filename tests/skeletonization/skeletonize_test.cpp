@@ -138,7 +138,7 @@ TEST_CASE("necks of one pixel hold the skeleton together") {
     fill_disc(mask, 91, 30, 22);
     for (int x = 28; x <= 91; ++x) mask(x, 30) = 1;
     const Skeletonization s = skeletonize(all_of(mask, Label::limb));
-    CHECK(topology(s.skeleton) == PiecesAndHoles{1, 0});
+    CHECK(topology(s.skeleton) == CountedTopology{1, 0});
     for (int x = 52; x <= 68; ++x) CHECK(s.skeleton(x, 30) == 1);
     // A plus whose arms are all one pixel wide, and a neck along a diagonal.
     Mask plus(101, 101);
@@ -150,7 +150,7 @@ TEST_CASE("necks of one pixel hold the skeleton together") {
     for (int i = 30; i < 71; ++i) diagonal(i, i) = 1;
     fill_disc(diagonal, 22, 22, 14);
     fill_disc(diagonal, 79, 79, 14);
-    CHECK(topology(skeletonize(all_of(diagonal, Label::limb)).skeleton) == PiecesAndHoles{1, 0});
+    CHECK(topology(skeletonize(all_of(diagonal, Label::limb)).skeleton) == CountedTopology{1, 0});
 }
 
 TEST_CASE("a whisker of one pixel's width below the threshold is no branch") {
@@ -184,8 +184,8 @@ TEST_CASE("a hole that the raster does not surround is surrounded") {
     for (int x = 12; x < 18; ++x) mask(x, 9) = mask(x, 10) = 0;
     Mask raster(30, 20);
     raster(3, 10) = 1;
-    CHECK(topology(restore_topology(raster, mask)) == PiecesAndHoles{1, 1});
-    CHECK(topology(restore_topology(Mask(30, 20), mask)) == PiecesAndHoles{1, 1});
+    CHECK(topology(restore_topology(raster, mask)) == CountedTopology{1, 1});
+    CHECK(topology(restore_topology(Mask(30, 20), mask)) == CountedTopology{1, 1});
 }
 
 TEST_CASE("cycles of the raster are filled unless they go round a hole") {
