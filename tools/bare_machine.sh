@@ -76,6 +76,7 @@ root=$1
 shift
 mount -t proc proc "$root/proc"
 mount -t tmpfs tmpfs "$root/dev/shm"
+mkdir -p "$root/dev/pts" && mount -t devpts devpts "$root/dev/pts"
 exec env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 CI="${CI:-}" chroot "$root" sh -c 'cd /root/pantin && exec make "$@"' - "$@"
 END
 for target in "${targets[@]}"; do
