@@ -88,9 +88,9 @@ TEST_CASE("A damaged AnimatedDrawings folder is one line and exit code 3",
     fs::copy(written(), copy);
     const std::string config = read(copy / "char_cfg.yaml");
     refused("", "has no list \"skeleton\"");
-    refused("skeleton: [", "not the YAML of a character");
+    refused("skeleton: [", "is not valid YAML");
     refused("skeleton:\n- name: hip\n", "joint 'hip' has no place");
-    refused("skeleton:\n- 3\n", "not the YAML of a character");
+    refused("skeleton:\n- 3\n", "skeleton[0]: must be an object");
     refused(std::string(config).replace(config.find("left_knee"), 9, "left_nose"),
             "misses the joint 'left_knee'");
     refused(std::string(config).replace(config.find("  - "), 4, "  - 99999"),

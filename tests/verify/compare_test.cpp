@@ -67,8 +67,9 @@ TEST_CASE("JSON: structure", "[verify]") {
     CHECK(missing.second == "missing");
     CHECK(missing.values == 2);
     CHECK(difference("a.json", R"({"a": 1})", R"({"a": "1"})").second == "\"1\"");
-    const std::string deep(100'000, '['), ends(100'000, ']');
+    const std::string deep(400, '['), ends(400, ']');
     CHECK(difference("a.json", deep + "1" + ends, deep + "2" + ends).first == "nested too deeply");
+    CHECK_THROWS_WITH(compare_files("a.json", std::string(100'000, '['), "[]"), "a.json: nested too deeply");
 }
 
 TEST_CASE("Text: words that are numbers by their values", "[verify]") {
