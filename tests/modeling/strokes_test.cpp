@@ -157,7 +157,7 @@ using Lines = std::vector<std::string>;
 
 // --- path data ---------------------------------------------------------------------------------------------
 
-TEST_CASE("Straight commands of a path give the points computed by hand") {
+TEST_CASE("Straight commands of a path give the points computed by hand", "[needs-pugixml]") {
     const Line corner = {{1, 2}, {4, 6}, {4, 0}};
     CHECK(path("M1 2 L4 6 L4 0") == corner);
     CHECK(path("M1,2L4,6,4,0") == corner);
@@ -851,7 +851,7 @@ TEST_CASE("Every shape of a drawing is a part with the points computed by hand")
     CHECK(check_arc(line, {3, 4}, 10, 5) == Approx(360));
 }
 
-TEST_CASE("The corners of a rect are rounded by quarters of an ellipse") {
+TEST_CASE("The corners of a rect are rounded by quarters of an ellipse", "[needs-pugixml]") {
     const Line line = shape("<rect x='0' y='0' width='40' height='20' rx='4' ry='2'/>").stroke;
     CHECK(std::abs(area_of(line)) == Approx(800 - (4 - math::pi) * 8).epsilon(0.001));
     for (const Point2d p : line)
@@ -865,7 +865,7 @@ TEST_CASE("The corners of a rect are rounded by quarters of an ellipse") {
           Approx(100 * math::pi).epsilon(0.002));
 }
 
-TEST_CASE("Transforms of an element and of the groups around it add up") {
+TEST_CASE("Transforms of an element and of the groups around it add up", "[needs-pugixml]") {
     CHECK(shape("<path transform='translate(10 20)' d='M0 0L5 0 5 5z'/>").stroke ==
           Line{{10, 20}, {15, 20}, {15, 25}});
     CHECK(shape("<g transform='translate(10 20)'><g transform='scale(2)'><a><path transform='rotate(90)' "
@@ -891,7 +891,8 @@ TEST_CASE("Transforms of an element and of the groups around it add up") {
           Lines{"path 'p': a transform in style is not followed"});
 }
 
-TEST_CASE("Names come from the label, the id, the title or the number of the part, in this order") {
+TEST_CASE("Names come from the label, the id, the title or the number of the part, in this order",
+          "[needs-pugixml]") {
     const Strokes strokes = svg("<path inkscape:label='Left  ear' id='path1' " + triangle +
                                 "><title>no</title></path>" //
                                 "<path id='path2' " +
@@ -908,7 +909,7 @@ TEST_CASE("Names come from the label, the id, the title or the number of the par
     CHECK(strokes.repairs.empty());
 }
 
-TEST_CASE("Parts of one name in a drawing are numbered") {
+TEST_CASE("Parts of one name in a drawing are numbered", "[needs-pugixml]") {
     const std::string leg = "<path inkscape:label='leg' " + triangle + "/>";
     const Strokes strokes =
         svg(leg + leg + "<path id='leg-3' " + triangle + "/>" + leg + "<path id='leg-2' " + triangle + "/>");
@@ -920,7 +921,7 @@ TEST_CASE("Parts of one name in a drawing are numbered") {
                                    "part 'leg-2-2': there was a part 'leg-2' before it"});
 }
 
-TEST_CASE("Attributes of a drawing's parts mean what the keys of strokes.json mean") {
+TEST_CASE("Attributes of a drawing's parts mean what the keys of strokes.json mean", "[needs-pugixml]") {
     const Strokes strokes =
         svg("<path id='body' " + triangle +
             "/><path id='leg' data-depth='-2.5' data-view='side' data-symmetric='true' data-parent='body' "
@@ -946,7 +947,7 @@ TEST_CASE("Attributes of a drawing's parts mean what the keys of strokes.json me
     CHECK(back.origin == strokes.origin);
 }
 
-TEST_CASE("The colour is that of the fill, else that of the outline") {
+TEST_CASE("The colour is that of the fill, else that of the outline", "[needs-pugixml]") {
     const auto colour = [](const std::string& attributes) {
         return shape("<path " + attributes + " " + triangle + "/>").colour;
     };
@@ -984,7 +985,7 @@ TEST_CASE("The colour is that of the fill, else that of the outline") {
           Lines{"style sheets are not followed"});
 }
 
-TEST_CASE("What is not drawn is no part, and what cannot be one is named") {
+TEST_CASE("What is not drawn is no part, and what cannot be one is named", "[needs-pugixml]") {
     const std::string path = "<path id='no' " + triangle + "/>";
     std::string inside = "<rect id='yes' width='1' height='1'/>";
     for (const char* group : {"defs", "clipPath", "symbol", "marker", "mask", "pattern", "metadata"})
@@ -1008,7 +1009,8 @@ TEST_CASE("What is not drawn is no part, and what cannot be one is named") {
                                   "circle 'part-2': empty, left out", "polygon 'part-2': empty, left out"});
 }
 
-TEST_CASE("Open paths are closed, and of several subpaths the largest is taken, with a line about it") {
+TEST_CASE("Open paths are closed, and of several subpaths the largest is taken, with a line about it",
+          "[needs-pugixml]") {
     Strokes strokes = svg("<path id='p' d='M0 0L10 0 10 10'/>");
     CHECK(strokes.repairs == Lines{"part 'p': the open path was closed"});
     CHECK(part_of(strokes, 0).stroke == Line{{0, 0}, {10, 0}, {10, 10}});
@@ -1030,7 +1032,7 @@ TEST_CASE("Open paths are closed, and of several subpaths the largest is taken, 
     CHECK(strokes.repairs == Lines{"part 'p': 1 repeated point dropped"});
 }
 
-TEST_CASE("A bad drawing is an error that names file, element and place") {
+TEST_CASE("A bad drawing is an error that names file, element and place", "[needs-pugixml]") {
     const auto bad = [](const std::string& inside) { return svg_error(inside); };
     CHECK(bad("<path id='p' d='M0 0L1'/>") == "drawing.svg: path 'p': d, character 7: a number is missing");
     CHECK(bad("<path inkscape:label='tail' id='p' d='M0 0L1'/>") ==
@@ -1082,7 +1084,7 @@ TEST_CASE("A bad drawing is an error that names file, element and place") {
           "drawing.svg: data-origin, character 3: a number is missing");
 }
 
-TEST_CASE("What is not SVG is an error") {
+TEST_CASE("What is not SVG is an error", "[needs-pugixml]") {
     const auto bad = [](const std::string& text) {
         return message_of([&] { strokes_from_svg(text, "drawing.svg"); });
     };
