@@ -3,17 +3,14 @@
 // that implements SegmentationNetwork.
 #include <algorithm>
 
+#include "network/architecture.hpp"
 #include "segmentation/compact/compact_network.hpp"
 #include "segmentation/sketch_parse/sketch_parse_network.hpp"
 
 namespace pantin::segmentation {
 namespace {
 
-struct Architecture {
-    const char* model; // metadata of the file
-    std::unique_ptr<SegmentationNetwork> (*load)(const WeightFile&);
-};
-constexpr Architecture architectures[] = {
+constexpr network::Architecture<SegmentationNetwork> architectures[] = {
     {"pantin.segmenter", compact::load_network}, // also when the file does not say
     {"pantin.sketch_parse", sketch_parse::load_segmentation_network},
 };
@@ -32,14 +29,7 @@ NetworkResult SegmentationNetwork::forward(const Tensor& ink, const Runtime& run
 }
 
 std::unique_ptr<SegmentationNetwork> load_segmentation_network(const WeightFile& file) {
-    if (!file.has_metadata("model")) return architectures[0].load(file);
-    const std::string& model = file.metadata("model");
-    std::string known;
-    for (const Architecture& architecture : architectures) {
-        if (model == architecture.model) return architecture.load(file);
-        known += (known.empty() ? "" : ", ") + std::string(architecture.model);
-    }
-    file.fail("metadata 'model' is '" + model + "', which is no segmentation network (" + known + ")");
+    return network::load_network(file, architectures, "segmentation network");
 }
 
 } // namespace pantin::segmentation
