@@ -114,7 +114,8 @@ bool defines(const std::string& source, const std::string& qualified) {
 
 } // namespace
 
-TEST_CASE("Every numbered equation, algorithm, definition and figure of both publications has one row", "[docs]") {
+TEST_CASE("Every numbered equation, algorithm, definition and figure of both publications has one row",
+          "[docs]") {
     const auto rows = rows_of(read(page));
     for (const std::string& place : numbered()) {
         CAPTURE(place);
