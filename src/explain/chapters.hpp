@@ -12,7 +12,7 @@
 namespace pantin {
 
 // A character as far as it came, with its intermediate products.
-struct CharacterStory {
+struct ChapterInput {
     std::string id;             // of its elements on the page: the name of its folder
     const PageCharacter& entry; // of page.json
     const Character& character;
@@ -29,18 +29,18 @@ struct CharacterStory {
 Values page_chapter(const AnimatedPage& animated);
 
 // Of a character. Those of a step that was not reached are not asked for.
-Values silhouette_chapter(const CharacterStory& story);
-Values segment_chapter(const CharacterStory& story);
-Values contour_chapter(const CharacterStory& story);
-Values voronoi_chapter(const CharacterStory& story);
-Values thinning_chapter(const CharacterStory& story);
-Values graph_chapter(const CharacterStory& story);
-Values identify_chapter(const CharacterStory& story);
-Values paths_chapter(const CharacterStory& story);
-Values assignment_chapter(const CharacterStory& story);
-Values mesh_chapter(const CharacterStory& story);
-Values weights_chapter(const CharacterStory& story);
-Values motion_chapter(const CharacterStory& story);
-Values solid_chapter(const CharacterStory& story);
+Values silhouette_chapter(const ChapterInput& input);
+Values segment_chapter(const ChapterInput& input);
+Values contour_chapter(const ChapterInput& input);
+Values voronoi_chapter(const ChapterInput& input);
+Values thinning_chapter(const ChapterInput& input);
+Values graph_chapter(const ChapterInput& input);
+Values identify_chapter(const ChapterInput& input);
+Values paths_chapter(const ChapterInput& input);
+Values assignment_chapter(const ChapterInput& input);
+Values mesh_chapter(const ChapterInput& input);
+Values weights_chapter(const ChapterInput& input);
+Values motion_chapter(const ChapterInput& input);
+Values solid_chapter(const ChapterInput& input);
 
 } // namespace pantin

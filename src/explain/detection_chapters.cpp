@@ -72,20 +72,20 @@ Values page_chapter(const AnimatedPage& animated) {
     return values;
 }
 
-Values silhouette_chapter(const CharacterStory& story) {
-    const Mask& mask = story.character.mask;
+Values silhouette_chapter(const ChapterInput& input) {
+    const Mask& mask = input.character.mask;
     RgbaImage tint(mask.width(), mask.height());
     long area = 0;
     for (std::size_t i = 0; i < mask.size(); ++i)
         if (mask.data()[i]) tint.data()[i] = {38, 98, 214, 110}, ++area;
     Svg picture(mask.width(), mask.height(), "The silhouette, tinted, on the drawing");
-    picture.underlay(story.drawing()).image(picture_uri(tint), mask.width(), mask.height());
-    const Box box = story.entry.box;
+    picture.underlay(input.drawing()).image(picture_uri(tint), mask.width(), mask.height());
+    const Box box = input.entry.box;
     return {{"picture", picture.str()},
             {"box", std::to_string(box.width) + " × " + std::to_string(box.height)},
             {"size", std::to_string(mask.width()) + " × " + std::to_string(mask.height())},
-            {"scale", decimal(story.entry.scale, 3)},
-            {"score", decimal(story.entry.score, 3)},
+            {"scale", decimal(input.entry.scale, 3)},
+            {"score", decimal(input.entry.score, 3)},
             {"area", std::to_string(area)},
             {"share", percent(static_cast<double>(area) / static_cast<double>(mask.size()))}};
 }

@@ -83,10 +83,10 @@ std::string evidence(const Candidate& candidate) {
            rows + "</table></details>";
 }
 
-std::string candidate_figure(const CharacterStory& story, const LabelledGraph& drawn,
+std::string candidate_figure(const ChapterInput& input, const LabelledGraph& drawn,
                              const Candidate& candidate, double most, bool chosen) {
     const LabelledGraph model =
-        normalised(to_labelled_graph(find_reference(story.context.references(), candidate.reference)));
+        normalised(to_labelled_graph(find_reference(input.context.references(), candidate.reference)));
     return "<section class=\"candidate" + std::string(chosen ? " chosen" : "") + "\"><h4>" +
            escaped(candidate.reference) + (candidate.mirrored ? ", mirrored" : "") +
            (chosen ? " — chosen" : "") + "</h4>" +
@@ -99,15 +99,15 @@ std::string candidate_figure(const CharacterStory& story, const LabelledGraph& d
 
 } // namespace
 
-Values identify_chapter(const CharacterStory& story) {
-    const Identification& identification = story.character.identification;
-    const LabelledGraph drawn = normalised(to_labelled_graph(story.character.skeletonization.graph));
+Values identify_chapter(const ChapterInput& input) {
+    const Identification& identification = input.character.identification;
+    const LabelledGraph drawn = normalised(to_labelled_graph(input.character.skeletonization.graph));
     double most = 0;
     for (const Candidate& c : identification.candidates)
         for (const Term& term : terms_of(c.terms)) most = std::max(most, term.value);
     std::string figures;
     for (const Candidate& c : identification.candidates)
-        figures += candidate_figure(story, drawn, c, most, c.reference == identification.reference);
+        figures += candidate_figure(input, drawn, c, most, c.reference == identification.reference);
     return {{"candidates", figures},
             {"reference", escaped(identification.reference)},
             {"type", escaped(identification.type)},

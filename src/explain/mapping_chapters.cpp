@@ -186,29 +186,29 @@ std::string bijection(const Mapping& mapping, Chosen at) {
         });
 }
 
-std::string end_name(const CharacterStory& story, const Mapping& mapping, std::size_t i) {
+std::string end_name(const ChapterInput& input, const Mapping& mapping, std::size_t i) {
     return std::to_string(i + 1) + " " +
-           std::string(name_of(story.character.skeletonization.graph.vertices[mapping.ends[i]].label));
+           std::string(name_of(input.character.skeletonization.graph.vertices[mapping.ends[i]].label));
 }
 
-std::string column_name(const CharacterStory& story, const Mapping& mapping, std::size_t j) {
-    return letter(j) + " " + escaped(story.character.reference.nodes[mapping.reference_ends[j]].name);
+std::string column_name(const ChapterInput& input, const Mapping& mapping, std::size_t j) {
+    return letter(j) + " " + escaped(input.character.reference.nodes[mapping.reference_ends[j]].name);
 }
 
 } // namespace
 
-Values paths_chapter(const CharacterStory& story) {
-    const Mapping& mapping = story.character.rig.mapping;
-    const ReferenceSkeleton& reference = story.character.reference;
-    const SkeletonGraph& graph = story.character.skeletonization.graph;
-    const Figure drawn = draw_reference(reference, is_mirrored(story.character.identification));
+Values paths_chapter(const ChapterInput& input) {
+    const Mapping& mapping = input.character.rig.mapping;
+    const ReferenceSkeleton& reference = input.character.reference;
+    const SkeletonGraph& graph = input.character.skeletonization.graph;
+    const Figure drawn = draw_reference(reference, is_mirrored(input.character.identification));
     if (mapping.comparisons.empty() || mapping.ends.size() < 2 || mapping.reference_ends.size() < 2)
         return {{"content", "<p>There is but one end, so there is no path to compare.</p>"},
                 {"data", "null"}};
     const Chosen at = first_pair(mapping);
     const double most = largest_radius(mapping);
     Svg picture(graph.width, graph.height, "The character's skeleton with its ends numbered clockwise");
-    picture.underlay(story.drawing(), 0.3);
+    picture.underlay(input.drawing(), 0.3);
     Json data;
     data["start"] = {at.i, at.j};
     data["most"] = most;
@@ -220,13 +220,13 @@ Values paths_chapter(const CharacterStory& story) {
     data["comparisons"] = comparisons(mapping);
     const std::string content = filled(
         asset("chapters/paths-content.html"),
-        {{"character", figure(std::move(picture), graph, mapping.ends, false, story.line(), "#2662d6")},
+        {{"character", figure(std::move(picture), graph, mapping.ends, false, input.line(), "#2662d6")},
          {"reference", reference_figure(drawn, mapping, reference.name)},
          {"name", escaped(reference.name)},
          {"similarity",
           matrix(
-              similarity(mapping), "cost", [&](std::size_t i) { return end_name(story, mapping, i); },
-              [&](std::size_t j) { return column_name(story, mapping, j); },
+              similarity(mapping), "cost", [&](std::size_t i) { return end_name(input, mapping, i); },
+              [&](std::size_t j) { return column_name(input, mapping, j); },
               [&](std::size_t i, std::size_t j) { return i == at.i && j == at.j ? "chosen" : ""; })},
          {"pair", std::to_string(at.i + 1) + " and " + letter(at.j)},
          {"bijection", bijection(mapping, at)},
@@ -234,24 +234,24 @@ Values paths_chapter(const CharacterStory& story) {
     return {{"content", content}, {"data", script_json(data)}};
 }
 
-Values assignment_chapter(const CharacterStory& story) {
-    const Mapping& mapping = story.character.rig.mapping;
+Values assignment_chapter(const ChapterInput& input) {
+    const Mapping& mapping = input.character.rig.mapping;
     const auto paired = [&](std::size_t i, std::size_t j) {
         return std::any_of(mapping.pairs.begin(), mapping.pairs.end(), [&](const EndPair& p) {
             return p.end == mapping.ends[i] && p.reference_end == mapping.reference_ends[j];
         });
     };
-    const MappingOptions& options = story.context.options().rigging.mapping;
+    const MappingOptions& options = input.context.options().rigging.mapping;
     std::string list;
     for (std::size_t i = 0; i < mapping.ends.size(); ++i) {
         std::string partner = "no partner";
         for (std::size_t j = 0; j < mapping.reference_ends.size(); ++j)
-            if (paired(i, j)) partner = column_name(story, mapping, j);
-        list += "<li>" + end_name(story, mapping, i) + " — " + partner + "</li>";
+            if (paired(i, j)) partner = column_name(input, mapping, j);
+        list += "<li>" + end_name(input, mapping, i) + " — " + partner + "</li>";
     }
     return {{"matrix", matrix(
-                           mapping.costs, "cost", [&](std::size_t i) { return end_name(story, mapping, i); },
-                           [&](std::size_t j) { return column_name(story, mapping, j); },
+                           mapping.costs, "cost", [&](std::size_t i) { return end_name(input, mapping, i); },
+                           [&](std::size_t j) { return column_name(input, mapping, j); },
                            [&](std::size_t i, std::size_t j) {
                                if (paired(i, j)) return "chosen";
                                return options.label_aware && mapping.costs[i][j] >= options.unmatched_cost

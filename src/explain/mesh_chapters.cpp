@@ -84,12 +84,12 @@ Json weights_data(const Rig& rig) {
 
 } // namespace
 
-Values mesh_chapter(const CharacterStory& story) {
-    const Rig& rig = story.character.rig;
-    const double thin = border_width * story.line();
+Values mesh_chapter(const ChapterInput& input) {
+    const Rig& rig = input.character.rig;
+    const double thin = border_width * input.line();
     Svg picture(rig.width, rig.height, "The mesh, every face in the colour of its marching squares case",
                 ink_margin(rig.width, rig.height));
-    picture.underlay(story.drawing(), 0.5).raw("<g fill-opacity=\".72\">");
+    picture.underlay(input.drawing(), 0.5).raw("<g fill-opacity=\".72\">");
     for (std::size_t f = 0; f < rig.mesh.faces.size(); ++f)
         picture.polygon(corners(rig.mesh, rig.mesh.faces[f]),
                         css(case_colour(f < rig.mesh.cases.size() ? rig.mesh.cases[f] : 15)), "#333", thin);
@@ -103,16 +103,16 @@ Values mesh_chapter(const CharacterStory& story) {
             {"cut", std::to_string(cut)}};
 }
 
-Values weights_chapter(const CharacterStory& story) {
-    const Rig& rig = story.character.rig;
+Values weights_chapter(const ChapterInput& input) {
+    const Rig& rig = input.character.rig;
     Svg picture(rig.width, rig.height,
                 "The mesh in the mixed colours of the bones that move it, and the bones",
                 ink_margin(rig.width, rig.height));
-    picture.underlay(story.drawing(), 0.4).raw("<g class=\"faces\" fill-opacity=\".7\">");
+    picture.underlay(input.drawing(), 0.4).raw("<g class=\"faces\" fill-opacity=\".7\">");
     for (const auto& face : rig.mesh.faces)
         picture.polygon(corners(rig.mesh, face), css(mixed(rig, face)), "none", 0);
     picture.raw("</g>");
-    draw_bones(picture, rig.bones, story.line());
+    draw_bones(picture, rig.bones, input.line());
     std::string options, list;
     for (std::size_t b = 0; b < rig.bones.size(); ++b) {
         const std::string name = escaped(rig.bones[b].name);

@@ -22,8 +22,8 @@ std::string glb_uri(const Rig& rig, const RgbaImage& texture, const std::vector<
 
 // The first clip as a small film that needs no script; nothing when this program writes no such films.
 std::string film_uri(const Rig& rig, const RgbaImage& texture, const std::vector<BoneAnimation>& animations,
-                     const CharacterStory& story) {
-    Settings settings = story.context.settings();
+                     const ChapterInput& input) {
+    Settings settings = input.context.settings();
     settings.render.fps = film_fps;
     settings.render.picture = {};
     settings.render.picture.size = film_side;
@@ -54,8 +54,8 @@ Json viewer_data(const std::string& glb, const Rig& rig) {
 
 } // namespace
 
-Values motion_chapter(const CharacterStory& story) {
-    const Character& character = story.character;
+Values motion_chapter(const ChapterInput& input) {
+    const Character& character = input.character;
     const Rig& rig = character.rig;
     const std::vector<BoneAnimation>& animations = character.animations;
     if (animations.empty())
@@ -66,16 +66,16 @@ Values motion_chapter(const CharacterStory& story) {
     for (const BoneAnimation& a : animations)
         facts += "<tr><td>" + escaped(a.name) + "</td><td>" + decimal(a.duration, 2) + "</td><td>" +
                  decimal(a.ground_speed, 2) + "</td></tr>";
-    return {{"film", film_element(film_uri(rig, texture, animations, story), animations.front().name)},
+    return {{"film", film_element(film_uri(rig, texture, animations, input), animations.front().name)},
             {"clips", clip_options(animations)},
             {"data", script_json(viewer_data(glb_uri(rig, texture, animations), rig))},
             {"facts", facts}};
 }
 
-Values solid_chapter(const CharacterStory& story) {
-    const Character& character = story.character;
+Values solid_chapter(const ChapterInput& input) {
+    const Character& character = input.character;
     const LabelMap& labels = character.segmentation.labels;
-    Model model(strokes_from_labels(labels), story.context.options().modeling);
+    Model model(strokes_from_labels(labels), input.context.options().modeling);
     const SolidMesh mesh = model.united();
     ModelView view;
     view.width = labels.width();
@@ -90,7 +90,7 @@ Values solid_chapter(const CharacterStory& story) {
                      {"data", script_json(viewer_data(glb_uri(rig, texture, animations), rig))}};
     values["film"] = animations.empty()
                          ? ""
-                         : film_element(film_uri(rig, texture, animations, story), animations.front().name);
+                         : film_element(film_uri(rig, texture, animations, input), animations.front().name);
     return values;
 }
 

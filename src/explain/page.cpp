@@ -21,7 +21,7 @@ namespace {
 struct Chapter {
     const char* name; // of its template, its widget and its place on the page
     const char* title;
-    Values (*values)(const CharacterStory&);
+    Values (*values)(const ChapterInput&);
     bool (*reached)(const Character&);
 };
 
@@ -61,19 +61,19 @@ struct Text {
     bool solids = true;
 };
 
-void add_chapter(Text& text, const Chapter& chapter, const CharacterStory& story) {
-    const std::string id = story.element(chapter.name);
+void add_chapter(Text& text, const Chapter& chapter, const ChapterInput& input) {
+    const std::string id = input.element(chapter.name);
     Values values;
     try {
-        values = chapter.values(story);
+        values = chapter.values(input);
     } catch (const Error& error) { // a solid that cannot be built, say: the other chapters do not need it
         text.chapters += "<article class=\"chapter\" id=\"" + id + "\"><h3>" + chapter.title +
                          "</h3><p>Not for this character: " + escaped(error.what()) + ".</p></article>";
         return;
     }
-    add_options(values, story.context.options());
+    add_options(values, input.context.options());
     values["id"] = id;
-    values["folder"] = story.id;
+    values["folder"] = input.id;
     const auto data = values.find("data");
     text.contents += "<li><a href=\"#" + id + "\">" + chapter.title + "</a></li>";
     text.chapters += "<article class=\"chapter\" id=\"" + id + "\" data-widget=\"" + chapter.name +
@@ -86,31 +86,31 @@ void add_chapter(Text& text, const Chapter& chapter, const CharacterStory& story
 }
 
 // The drawing once, for all pictures over it.
-std::string drawing_element(const CharacterStory& story) {
-    return "<svg class=\"store\" aria-hidden=\"true\"><defs><image id=\"" + story.drawing() + "\" href=\"" +
-           picture_uri(small_drawing(story.character)) + "\" x=\"-0.5\" y=\"-0.5\" width=\"" +
-           std::to_string(story.width()) + "\" height=\"" + std::to_string(story.height()) +
+std::string drawing_element(const ChapterInput& input) {
+    return "<svg class=\"store\" aria-hidden=\"true\"><defs><image id=\"" + input.drawing() + "\" href=\"" +
+           picture_uri(small_drawing(input.character)) + "\" x=\"-0.5\" y=\"-0.5\" width=\"" +
+           std::to_string(input.width()) + "\" height=\"" + std::to_string(input.height()) +
            "\" preserveAspectRatio=\"none\"/></defs></svg>";
 }
 
-void add_character(Text& text, const CharacterStory& story) {
-    const bool done = story.entry.status == "ok";
+void add_character(Text& text, const ChapterInput& input) {
+    const bool done = input.entry.status == "ok";
     text.contents += "<li><details" + std::string(text.chapters.empty() ? " open" : "") +
-                     "><summary><a href=\"#" + story.id + "\">" + story.id + "</a></summary><ol>";
-    text.chapters += "<section class=\"character\" id=\"" + story.id + "\"><h2>" + story.id + "</h2>" +
-                     drawing_element(story) +
+                     "><summary><a href=\"#" + input.id + "\">" + input.id + "</a></summary><ol>";
+    text.chapters += "<section class=\"character\" id=\"" + input.id + "\"><h2>" + input.id + "</h2>" +
+                     drawing_element(input) +
                      (done ? ""
                            : "<p class=\"stopped\">This character could not go on. " +
-                                 escaped(story.entry.status) + ".</p>");
+                                 escaped(input.entry.status) + ".</p>");
     for (const Chapter& chapter : chapters) {
-        if (!chapter.reached(story.character) || (chapter.values == solid_chapter && !text.solids)) continue;
-        story.context.progress(story.id + ": " + chapter.name);
-        add_chapter(text, chapter, story);
+        if (!chapter.reached(input.character) || (chapter.values == solid_chapter && !text.solids)) continue;
+        input.context.progress(input.id + ": " + chapter.name);
+        add_chapter(text, chapter, input);
     }
     if (!text.solids)
         text.chapters +=
             "<p>The page has many characters, so their solids are left out: <code>pantin model DIR/" +
-            story.id + " --animate</code> makes this one's.</p>";
+            input.id + " --animate</code> makes this one's.</p>";
     text.contents += "</ol></details></li>";
     text.chapters += "</section>\n";
 }

@@ -22,14 +22,14 @@ RgbaImage veil(const Grid<float>& probability, Rgb8 colour) {
     return image;
 }
 
-std::string maps(const CharacterStory& story, const Segmentation& segmentation) {
+std::string maps(const ChapterInput& input, const Segmentation& segmentation) {
     std::string figures;
     for (std::size_t l = 0; l < segmentation.probabilities.size() && l < label_names.size(); ++l) {
         const std::string name(label_names[l]);
-        Svg map(story.width(), story.height(), "Where the network sees " + name);
-        map.underlay(story.drawing(), 0.35);
+        Svg map(input.width(), input.height(), "Where the network sees " + name);
+        map.underlay(input.drawing(), 0.35);
         map.image(picture_uri(veil(segmentation.probabilities[l], row_of(static_cast<Label>(l)).colour)),
-                  story.width(), story.height(), 0.9);
+                  input.width(), input.height(), 0.9);
         figures += "<figure data-label=\"" + name + "\">" + map.str("map") +
                    "<figcaption><span class=\"swatch part-" + name + "\"></span>" + name +
                    " <output></output></figcaption></figure>";
@@ -87,7 +87,7 @@ std::string grey_values() {
     return text + "0 not the character";
 }
 
-Svg painted(const CharacterStory& story, const LabelMap& labels) {
+Svg painted(const ChapterInput& input, const LabelMap& labels) {
     RgbaImage image(labels.width(), labels.height());
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const Rgb8 c = row_of(static_cast<Label>(labels.data()[i])).colour;
@@ -95,23 +95,23 @@ Svg painted(const CharacterStory& story, const LabelMap& labels) {
     }
     Svg picture(labels.width(), labels.height(),
                 "The drawing with every pixel of the silhouette in the colour of its part");
-    picture.underlay(story.drawing()).image(picture_uri(image), labels.width(), labels.height());
+    picture.underlay(input.drawing()).image(picture_uri(image), labels.width(), labels.height());
     return picture;
 }
 
 } // namespace
 
-Values segment_chapter(const CharacterStory& story) {
-    const LabelMap& labels = story.character.segmentation.labels;
-    Values values = {{"picture", painted(story, labels).str()},
+Values segment_chapter(const ChapterInput& input) {
+    const LabelMap& labels = input.character.segmentation.labels;
+    Values values = {{"picture", painted(input, labels).str()},
                      {"areas", areas(labels)},
                      {"legend", legend()},
                      {"parts", listed_parts()},
                      {"values", grey_values()}};
-    const Segmentation& segmentation = story.character.segmentation;
+    const Segmentation& segmentation = input.character.segmentation;
     if (!segmentation.router.empty()) {
         values["network"] = filled(asset("chapters/segment-network.html"),
-                                   {{"maps", maps(story, segmentation)},
+                                   {{"maps", maps(input, segmentation)},
                                     {"router", router(segmentation)},
                                     {"pose", pose(segmentation)},
                                     {"expert", escaped(segmentation.expert)},

@@ -14,11 +14,9 @@ namespace pantin {
 
 namespace {
 
-const Skeletonization& skeletonization(const CharacterStory& story) {
-    return story.character.skeletonization;
-}
-const SkeletonizationOptions& options_of(const CharacterStory& story) {
-    return story.context.options().skeletonization;
+const Skeletonization& skeletonization(const ChapterInput& input) { return input.character.skeletonization; }
+const SkeletonizationOptions& options_of(const ChapterInput& input) {
+    return input.context.options().skeletonization;
 }
 
 std::vector<Point2d> to_points(const std::vector<Point2i>& pixels) {
@@ -128,16 +126,16 @@ RgbaImage thinning_picture(const Skeletonization& s) {
 
 } // namespace
 
-Values contour_chapter(const CharacterStory& story) {
-    const Skeletonization& s = skeletonization(story);
+Values contour_chapter(const ChapterInput& input) {
+    const Skeletonization& s = skeletonization(input);
     Svg picture(s.mask.width(), s.mask.height(), "The borders that were followed, each in its own colour");
-    picture.underlay(story.drawing(), 0.4);
+    picture.underlay(input.drawing(), 0.4);
     std::string rows;
     for (std::size_t i = 0; i < s.contour.size(); ++i) {
         const Border& border = s.contour[i];
-        picture.polyline(to_points(border.points), css(category(i)), 1.4 * story.line(), true);
+        picture.polyline(to_points(border.points), css(category(i)), 1.4 * input.line(), true);
         if (!border.points.empty())
-            picture.disc(to_double(border.points.front()), 3 * story.line(), css(category(i)));
+            picture.disc(to_double(border.points.front()), 3 * input.line(), css(category(i)));
         rows += "<tr><td><span class=\"swatch\" style=\"background:" + css(category(i)) + "\"></span>" +
                 std::to_string(i) + "</td><td>" + (border.outer ? "outer border" : "border of a hole") +
                 "</td><td>" + (border.parent < 0 ? "the frame" : std::to_string(border.parent)) +
@@ -149,17 +147,17 @@ Values contour_chapter(const CharacterStory& story) {
             {"count", count_of(s.contour.size(), "border", "borders")}};
 }
 
-Values voronoi_chapter(const CharacterStory& story) {
-    const Skeletonization& s = skeletonization(story);
-    const SkeletonizationOptions& options = options_of(story);
+Values voronoi_chapter(const ChapterInput& input) {
+    const Skeletonization& s = skeletonization(input);
+    const SkeletonizationOptions& options = options_of(input);
     const double threshold = s.threshold;
     const double most = most_residual(s.residuals, threshold);
     Svg picture(s.mask.width(), s.mask.height(),
                 "Edges of the Voronoi diagram inside the silhouette, coloured by their residual");
-    picture.underlay(story.drawing(), 0.3).raw(shaded_edges(s, most, 0.9 * story.line()));
+    picture.underlay(input.drawing(), 0.3).raw(shaded_edges(s, most, 0.9 * input.line()));
     Svg lands(s.mask.width(), s.mask.height(),
               "Cells of the Voronoi diagram inside the silhouette, each in the colour of its border pixel");
-    lands.underlay(story.drawing(), 0.3).image(picture_uri(cells(s)), s.mask.width(), s.mask.height());
+    lands.underlay(input.drawing(), 0.3).image(picture_uri(cells(s)), s.mask.width(), s.mask.height());
     const auto kept =
         std::count_if(s.residuals.begin(), s.residuals.end(), [&](double r) { return r >= threshold; });
     Json data;
@@ -177,12 +175,12 @@ Values voronoi_chapter(const CharacterStory& story) {
             {"slider", decimal(std::min(threshold, most))}};
 }
 
-Values thinning_chapter(const CharacterStory& story) {
-    const Skeletonization& s = skeletonization(story);
+Values thinning_chapter(const ChapterInput& input) {
+    const Skeletonization& s = skeletonization(input);
     const int width = s.mask.width(), height = s.mask.height();
     Svg picture(width, height,
                 "What thinning began with, coloured by when a pixel went, and in black what stayed");
-    picture.underlay(story.drawing(), 0.3).image(picture_uri(thinning_picture(s)), width, height);
+    picture.underlay(input.drawing(), 0.3).image(picture_uri(thinning_picture(s)), width, height);
     const Thinning whole = zhang_suen_steps(s.mask); // for comparison: what thinning alone makes of the shape
     Json data;
     data["width"] = width;
@@ -203,11 +201,11 @@ Values thinning_chapter(const CharacterStory& story) {
             {"whole_steps", std::to_string(last_step(whole.removed_in))}};
 }
 
-Values graph_chapter(const CharacterStory& story) {
-    const Skeletonization& s = skeletonization(story);
+Values graph_chapter(const ChapterInput& input) {
+    const Skeletonization& s = skeletonization(input);
     const auto shown = [&](const SkeletonGraph& graph, const char* title) {
         Svg picture(s.mask.width(), s.mask.height(), title);
-        picture.underlay(story.drawing(), 0.3).graph(graph, story.line());
+        picture.underlay(input.drawing(), 0.3).graph(graph, input.line());
         const auto ends = std::count_if(graph.vertices.begin(), graph.vertices.end(),
                                         [](const SkeletonVertex& v) { return v.end; });
         return "<figure>" + picture.str() + "<figcaption>" + title + ": " +
@@ -225,7 +223,7 @@ Values graph_chapter(const CharacterStory& story) {
     return {{"pictures", shown(s.raw, "Raw") + shown(s.after_h1, "After H1") + shown(s.graph, "After H2")},
             {"rows", rows},
             {"epsilon",
-             decimal(options_of(story).merge_distance * reference_scale(s.mask.width(), s.mask.height()))}};
+             decimal(options_of(input).merge_distance * reference_scale(s.mask.width(), s.mask.height()))}};
 }
 
 } // namespace pantin
