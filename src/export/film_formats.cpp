@@ -54,9 +54,6 @@ constexpr std::array formats = {
     FilmFormat{"png", "", never, write_frames},
     FilmFormat{"bvh", ".bvh", never, nullptr, to_bvh},
 };
-static_assert(std::all_of(formats.begin(), formats.end(), [](const FilmFormat& f) {
-    return !f.name.empty() && (f.film == nullptr) != (f.motion == nullptr);
-}));
 
 } // namespace
 

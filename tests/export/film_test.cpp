@@ -116,6 +116,8 @@ TEST_CASE("Film formats are found by name, and docs/formats.md has the ending of
     const std::string document = read_text("docs/formats.md");
     for (const FilmFormat& format : film_formats()) {
         INFO(format.name);
+        CHECK_FALSE(format.name.empty());
+        CHECK((format.film == nullptr) != (format.motion == nullptr));
         CHECK(film_format(format.name) == &format);
         CHECK(document.find(format.ending.empty() ? std::string(format.name) : std::string(format.ending)) !=
               std::string::npos);
