@@ -257,7 +257,8 @@ TEST_CASE("A JPEG whose Huffman tables have too many codes, or end early, is dam
     for (std::size_t length = 0; length < 16; ++length) {
         Bytes damaged = whole;
         damaged[counts + length] = 0xff;
-        CHECK_THROWS_WITH(decode_image(damaged, "page.jpg", 16), Contains("page.jpg: the JPEG is damaged (a Huffman table)"));
+        CHECK_THROWS_WITH(decode_image(damaged, "page.jpg", 16),
+                          Contains("page.jpg: the JPEG is damaged (a Huffman table)"));
     }
 }
 
