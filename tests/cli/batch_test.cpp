@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 // One short clip in few formats: what is tested here are lines.
-const Words quick = Words{"--clip", "idle", "--format", "gif"} + small_films;
+const Words quick = Words{"--clip", "idle", "--format", "apng"} + small_films;
 
 Outcome batch(const std::string& input, const Words& more = {}) {
     return run_pantin(Words{"batch"} + quick + more, {}, "", input);
@@ -236,8 +236,8 @@ TEST_CASE("A second run with --skip-done does what is missing and nothing else",
     std::string page = read(out / "quadruped/page.json");
     page.replace(page.find("\"ok\""), 4, "\"unfinished\"");
     write(out / "quadruped/page.json", page);
-    fs::rename(out / "quadruped/character-1/animation-idle.gif",
-               out / "quadruped/character-1/.animation-idle.gif.123.part");
+    fs::rename(out / "quadruped/character-1/animation-idle.apng",
+               out / "quadruped/character-1/.animation-idle.apng.123.part");
     // Detection alone is not the whole way.
     fs::remove_all(out / "flying");
     REQUIRE(run_pantin({"detect", "testdata/flying.png", "-o", (out / "flying").string()}).code == 0);

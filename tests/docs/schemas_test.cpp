@@ -183,7 +183,7 @@ TEST_CASE("The lines that batch reads and writes are as their schemas say", "[do
     const TemporaryFolder folder;
     const std::string good = Json{{"image", small_page},
                                   {"clip", "idle"},
-                                  {"formats", {"gif"}},
+                                  {"formats", {"apng"}},
                                   {"config", {{"rigging.limb_segments", 1}}}}
                                  .dump();
     const std::string input = good + "\n{\"image\": \"none.png\", \"rotate\": 90}\nno JSON either\n{\n";

@@ -389,7 +389,7 @@ TEST_CASE("what was asked of a part stays until the same is asked of the whole m
 
 // --- refinement --------------------------------------------------------------------------------------------
 
-TEST_CASE("larger thresholds never give more joints: whole models, parts and branches") {
+TEST_CASE("larger thresholds never give more joints: whole models, parts and branches", "[needs-pugixml]") {
     const char* const operations[] = {"prune", "merge", "collapse", "simplify"};
     for (const std::string& name : test::model_names) {
         const Model drawn(test::model_strokes(name));

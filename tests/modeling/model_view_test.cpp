@@ -185,7 +185,7 @@ TEST_CASE(
 
 // --- a model in a picture ----------------------------------------------------------------------------------
 
-TEST_CASE("a view shows the whole model, sheared only when it has depth") {
+TEST_CASE("a view shows the whole model, sheared only when it has depth", "[needs-pugixml]") {
     for (const std::string& name : test::model_names) {
         Model model(test::model_strokes(name));
         SolidMesh mesh;
@@ -231,7 +231,7 @@ TEST_CASE("a picture shows the labels of the parts that are in front") {
     CHECK(label_at({44, 44, 0}) == Label::background);
 }
 
-TEST_CASE("the projected skeleton is one graph of chains of pixels") {
+TEST_CASE("the projected skeleton is one graph of chains of pixels", "[needs-pugixml]") {
     for (const std::string& name : test::model_names) {
         Model model(test::model_strokes(name));
         SolidMesh mesh;

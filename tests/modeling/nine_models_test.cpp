@@ -20,7 +20,8 @@ SolidMesh solid(Model& model) { return full_size ? model.united() : unite(model.
 
 } // namespace
 
-TEST_CASE("each of the nine models is one closed, oriented surface that does not cut itself") {
+TEST_CASE("each of the nine models is one closed, oriented surface that does not cut itself",
+          "[needs-pugixml]") {
     for (const std::string& name : test::model_names) {
         CAPTURE(name);
         Model model(test::model_strokes(name));
@@ -37,7 +38,7 @@ TEST_CASE("each of the nine models is one closed, oriented surface that does not
     }
 }
 
-TEST_CASE("each of the nine models is one tree inside its solid") {
+TEST_CASE("each of the nine models is one tree inside its solid", "[needs-pugixml]") {
     for (const std::string& name : test::model_names) {
         CAPTURE(name);
         Model model(test::model_strokes(name));
@@ -70,7 +71,8 @@ TEST_CASE("each of the nine models is one tree inside its solid") {
     }
 }
 
-TEST_CASE("each of the nine models has weights of known bones, from 0 to 1, that sum to 1") {
+TEST_CASE("each of the nine models has weights of known bones, from 0 to 1, that sum to 1",
+          "[needs-pugixml]") {
     for (const std::string& name : test::model_names) {
         CAPTURE(name);
         Model model(test::model_strokes(name));

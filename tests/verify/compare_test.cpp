@@ -163,6 +163,7 @@ TEST_CASE("A damaged file is an error that names it", "[verify]") {
              {"a.gif", "GIF89a", "nothing"},
          }) {
         CAPTURE(name);
+        if ((name == "a.webp" && !webp_available()) || (name == "a.gif" && !gif_available())) continue;
         try {
             compare_files(name, first, second);
             FAIL("no error");
