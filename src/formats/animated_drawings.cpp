@@ -4,6 +4,7 @@
 #include "formats/animated_drawings.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -106,6 +107,14 @@ std::string config_text(const Joints& joints, int width, int height) {
     return text + "width: " + std::to_string(width) + "\n";
 }
 
+// The number that the text of a scalar is: 12, 012, +3.5, 1e3.
+std::optional<double> number_of(const std::string& text) {
+    const char *begin = text.data() + (text.starts_with('+') ? 1 : 0), *end = text.data() + text.size();
+    double number = 0;
+    const auto [last, error] = std::from_chars(begin, end, number);
+    return error == std::errc() && last == end ? std::optional(number) : std::nullopt;
+}
+
 Joints parse_joints(const std::string& text, const std::string& file, int width, int height) {
     const Json config = parse_yaml(text, file);
     const JsonReader reader(config, file);
@@ -117,8 +126,9 @@ Joints parse_joints(const std::string& text, const std::string& file, int width,
         if (!joint.has("loc") || joint.at("loc").value().size() != 2) fail("has no place of two numbers");
         const auto place = joint.at("loc").elements();
         const auto coordinate = [&](std::size_t k) {
-            if (!place[k].value().is_number()) fail("has no place of two numbers");
-            return place[k].value().get<double>();
+            const std::optional<double> number = number_of(place[k].text());
+            if (!number) fail("has no place of two numbers");
+            return *number;
         };
         const Point2d p{coordinate(0), coordinate(1)};
         // A joint may lie a little outside of the picture.

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/demo.hpp"
+#include "formats/animated_drawings.hpp"
+#include "pantin/error.hpp"
 #include "pantin/image.hpp"
 
 using namespace pantin;
@@ -98,4 +100,25 @@ TEST_CASE("A damaged AnimatedDrawings folder is one line and exit code 3",
     fs::remove(copy / "mask.png");
     const Outcome outcome = run_pantin(animate(copy.string(), folder / "out"));
     CHECK(outcome.code == 3);
+}
+
+TEST_CASE("Joints may be written in any way that is a number", "[cli][animated-drawings][needs-yaml]") {
+    const TemporaryFolder folder;
+    const auto joints_of = [&](const std::string& x) {
+        std::string config = "skeleton:\n";
+        for (const auto& [name, parent] : animated_drawings_joints)
+            config += "- {name: " + std::string(name) + ", loc: [" + x + ", 7.5]}\n";
+        write(folder / "char_cfg.yaml", config);
+        return read_joints(folder / ".", 100, 100);
+    };
+    const auto plain = joints_of("12");
+    CHECK(plain.at("neck") == Point2d{12, 7.5});
+    for (const char* same : {"12.0", "012", "'12'", "\"12\"", "+12", "1.2e1", "120e-1"}) {
+        CAPTURE(same);
+        CHECK(joints_of(same).at("neck") == Point2d{12, 7.5});
+    }
+    for (const char* none : {"twelve", "12px", "''", "0x0c", "[12]", "~"}) {
+        CAPTURE(none);
+        CHECK_THROWS_AS(joints_of(none), Error);
+    }
 }

@@ -130,7 +130,8 @@ TEST_CASE("The thesis preset is the thesis: arc residual, 321 pixels, holes kept
     CHECK_THROWS_AS(make_preset("fast"), Error);
 }
 
-TEST_CASE("docs/formats.md lists every option with its value in both presets", "[pipeline][golden]") {
+TEST_CASE("docs/formats.md lists every option with its value in both presets",
+          "[pipeline][golden][needs-glpk]") {
     std::string document = read("docs/formats.md");
     const auto thesis = values_of(make_preset("thesis"));
     const std::string head = "| option | `default` | `thesis` |\n|---|---|---|\n";

@@ -14,18 +14,10 @@ namespace {
 // An alias may stand for much, so a small text can be a huge value.
 constexpr int deepest = 100, most_nodes = 1'000'000;
 
-Json scalar(const YAML::Node& node) {
-    if (node.Tag() == "!") return node.Scalar(); // in quotes
-    if (long long whole = 0; YAML::convert<long long>::decode(node, whole)) return whole;
-    if (double number = 0; YAML::convert<double>::decode(node, number)) return number;
-    if (bool flag = false; YAML::convert<bool>::decode(node, flag)) return flag;
-    return node.Scalar();
-}
-
 // `nodes` counts those so far.
 Json to_json(const YAML::Node& node, int depth, int& nodes) {
     if (depth > deepest || ++nodes > most_nodes) throw YAML::Exception(node.Mark(), "too deep or too large");
-    if (node.IsScalar()) return scalar(node);
+    if (node.IsScalar()) return node.Scalar();
     if (node.IsSequence()) {
         Json list = Json::array();
         for (const YAML::Node& element : node) list.push_back(to_json(element, depth + 1, nodes));
