@@ -81,7 +81,8 @@ Values solid_chapter(const ChapterInput& input) {
     view.width = labels.width();
     view.height = labels.height();
     const Rig rig = lifted(character.rig, model, mesh, view);
-    const std::vector<BoneAnimation>& animations = character.animations;
+    // Feet keep the ground by the lifted bones, so clips are carried over to them anew.
+    const std::vector<BoneAnimation> animations = make_animations(rig, character.reference, input.context);
     const RgbaImage texture = make_solid_texture(small_drawing(character), labels);
     Values values = {{"clips", clip_options(animations)},
                      {"parts", std::to_string(model.parts().size())},

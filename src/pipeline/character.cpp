@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 Character load_character(const fs::path& folder, Step step, Context& context) {
     Character c;
     c.reached = static_cast<Step>(static_cast<int>(step) - 1);
-    if (step == Step::segment || step >= Step::rig) c.drawing = read_drawing(folder);
     c.mask = read_mask(folder);
+    if (step == Step::segment) c.drawing = read_drawing(folder);
     if (step <= Step::segment) return c;
 
     c.segmentation.labels = read_labels(folder, c.mask);
@@ -27,6 +27,7 @@ Character load_character(const fs::path& folder, Step step, Context& context) {
 
     c.identification = read_identification(folder, c.skeletonization.graph, context.references());
     c.reference = choose_reference(c.identification, context.references(), context.settings().blend);
+    c.drawing = read_drawing(folder);
     if (is_model_folder(folder)) c.solid = read_solid(folder, context.options().modeling);
     if (step <= Step::rig) return c;
 

@@ -91,6 +91,7 @@ TEST_CASE("Bad JSON is an error that names file and line") {
 TEST_CASE("YAML becomes JSON", "[needs-yaml]") {
     CHECK(parse_yaml("a: 012\nb: [x, 2.5, '3', true, null]\nc:\n- d: e\n", "a.yaml") ==
           Json{{"a", "012"}, {"b", {"x", "2.5", "3", "true", nullptr}}, {"c", Json::array({{{"d", "e"}}})}});
+    CHECK(parse_yaml("a: 1\na: 2\n? [b, c]\n: 3\n", "a.yaml") == Json{{"a", "1"}});
     CHECK_THROWS_WITH(parse_yaml("a: [", "a.yaml"), Catch::Matchers::StartsWith("a.yaml: is not valid YAML"));
     // Ten lists of ten of the list before: a text of few bytes that stands for 10^10 values.
     std::string text = "- &a0 x\n";

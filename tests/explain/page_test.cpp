@@ -10,7 +10,11 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/demo.hpp"
+#include "explain/markup.hpp"
+#include "explain/picture_size.hpp"
+#include "pantin/export.hpp"
 #include "pantin/image.hpp"
+#include "pipeline/character.hpp"
 
 using namespace pantin::test;
 using Json = nlohmann::json;
@@ -201,6 +205,27 @@ TEST_CASE("the page shows what the files of the run hold", "[explain][end-to-end
           count_of(text, "bone ") + 1);
     CHECK(data_of(chapter_of(e.page, "character-1-motion"))["glb"].get<std::string>().starts_with(
         "data:model/gltf-binary;base64,Z2xURg"));
+}
+
+TEST_CASE("the solid's clips are made for its own bones", "[explain][end-to-end]") {
+    using namespace pantin;
+    Explained e;
+    explain(e, "testdata/flying.png", {"--threads", "1"});
+    REQUIRE(e.outcome.code == 0);
+    const Settings settings;
+    Context context(settings);
+    const Character c = load_character(e.out / "character-1", Step::render, context);
+    Model model(strokes_from_labels(c.segmentation.labels), settings.options.modeling);
+    const SolidMesh mesh = model.united();
+    ModelView view;
+    view.width = c.mask.width();
+    view.height = c.mask.height();
+    const Rig rig = lifted(c.rig, model, mesh, view);
+    const std::vector<BoneAnimation> clips = make_animations(rig, c.reference, context);
+    const RgbaImage texture = make_solid_texture(small_drawing(c), c.segmentation.labels);
+    const std::vector<unsigned char> glb = to_glb(rig, texture, clips);
+    CHECK(data_of(chapter_of(e.page, "character-1-solid"))["glb"] == data_uri("model/gltf-binary", glb));
+    CHECK(to_glb(rig, texture, c.animations) != glb); // the flat figure's are others
 }
 
 TEST_CASE("the page does not depend on the number of threads", "[explain][end-to-end]") {

@@ -25,8 +25,10 @@ Json to_json(const YAML::Node& node, int depth, int& nodes) {
     }
     if (!node.IsMap()) return nullptr;
     Json map = Json::object();
-    for (const auto& entry : node)
-        map[entry.first.as<std::string>()] = to_json(entry.second, depth + 1, nodes);
+    for (const auto& entry : node) {
+        const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
+        if (!key.empty() && !map.contains(key)) map[key] = to_json(entry.second, depth + 1, nodes);
+    }
     return map;
 }
 
