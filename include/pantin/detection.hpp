@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pantin/grid.hpp"
+#include "pantin/image.hpp"
 #include "pantin/point.hpp"
 
 namespace pantin {
@@ -78,9 +79,10 @@ public:
         // 2017, 3.1, where the mask is resized to its box.
         double probability(double x, double y) const;
     };
-    // page: at any size, dark on light. By descending score. Error(weights) when the layers do not fit
+    // page: at any size; ink: how dark its ink is (find_page_ink). A network sees the ink or, as the thesis
+    // has it, the colours, dark on light. By descending score. Error(weights) when the layers do not fit
     // together. The bits do not depend on `threads`. Thesis 4.2.
-    std::vector<Found> find(const RgbImage& page, int threads = 1) const;
+    std::vector<Found> find(const RgbImage& page, const Grid<float>& ink, int threads = 1) const;
     // Number (1, 2, …) of the found character that claims each grid cell most, by mask times score where the
     // mask is at least one half; 0: none. width × height cells of `factor` page pixels a side. No errors.
     // Own.
@@ -96,7 +98,9 @@ struct DetectedCharacter {
     double scale = 1; // working pixels per page pixel, ≤ 1
     double score = 0; // [0, 1]: share of the silhouette's outline that is inked; with a network its score
     RgbImage drawing; // the crop at the page's resolution
+    GreyImage ink;    // the same: 0 paper, 255 the strongest strokes; of this character alone
     Mask mask;        // the filled silhouette at working size
+    bool exact_mask = false; // it is the user's word (a mask, a cut-out), not an estimate
 };
 
 // Intermediate products are kept for `--trace` and `explain`.
@@ -106,16 +110,18 @@ struct Detection {
     std::vector<DetectedCharacter> characters; // left to right, then top to bottom, by box centre
 };
 
-// page: at any size, dark on light or, over 80 % of it dark, light on dark. With a finder its network groups
-// the ink (when it finds anything), without one the contour-based detector does. Boxes in page pixels, masks
-// at working size. Error(no_character) when the page holds none. Thesis 4.2, Fig. 4.3; contours: Suzuki & Abe
-// 1985.
+// page: at any size; ink: of that page. With a finder its network groups the ink (when it finds anything),
+// without one the contour-based detector does. Boxes in page pixels, masks at working size. Error(no_character)
+// when the page holds none. Thesis 4.2, Fig. 4.3; contours: Suzuki & Abe 1985.
+Detection detect(const RgbImage& page, const PageInk& ink, const DetectionOptions& options = {},
+                 const CharacterFinder* finder = nullptr);
+// The same with the ink of find_page_ink(page).
 Detection detect(const RgbImage& page, const DetectionOptions& options = {},
                  const CharacterFinder* finder = nullptr);
 
 // The character whose silhouette on the page is known: of the page's size, not 0 inside; its score is 1.
 // Error(internal) when the silhouette is empty. Own.
-DetectedCharacter character_of(const RgbImage& page, const Mask& silhouette,
+DetectedCharacter character_of(const RgbImage& page, const PageInk& ink, const Mask& silhouette,
                                const DetectionOptions& options = {});
 
 } // namespace pantin

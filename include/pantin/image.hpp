@@ -24,9 +24,14 @@ inline constexpr long max_image_pixels = 64'000'000;
 // and truncated files are errors. Error(input) names the file. A character's drawing.png may be smaller than
 // a page: min_side 1, pixels. Own, over stb_image.
 RgbImage load_image(const std::filesystem::path& file, int min_side = min_image_side);
+// The same with its colours and alpha as they are (straight); opaque where the file has none. Own.
+RgbaImage load_rgba(const std::filesystem::path& file, int min_side = min_image_side);
+// Colours over white paper. No error. Own.
+RgbImage composite_on_white(const RgbaImage& image);
 // Turned clockwise by 0, 90, 180 or 270 degrees, no pixel lost; else Error(usage). Own.
 RgbImage turned(RgbImage image, int degrees);
 GreyImage turned(GreyImage image, int degrees);
+RgbaImage turned(RgbaImage image, int degrees);
 // Loads a grey PNG that the pipeline wrote (mask, labels, skeleton), any size, values as stored; an editor
 // may have saved it with colour channels or a palette as long as every pixel is grey; fully transparent
 // pixels count as 0. Error(input) names the file. Own.
@@ -58,18 +63,42 @@ GreyImage greyscale(const RgbImage& image);
 // pixels, ≥ 1. No error. Wellner 1993.
 Mask adaptive_threshold(const GreyImage& image, int radius, int offset);
 
-// Ink darkness in [0, 1]: 0 paper, 1 the darkest strokes. The paper's brightness is estimated locally, so
-// that a photograph, a scan and a digital drawing are alike to the networks; black on white comes out as 1
-// and 0.
-// 1. Blocks of max(8, ⌈longer side / 64⌉) pixels; a block's paper is the 80th percentile of its grey values.
-// 2. Closing (largest, then smallest value) of the blocks over a window of the picture's size; a block darker
-//    than 0.7 of its closing is a filled area and takes the closing's value, any other (shadow, tint) keeps
-//    its own.
-// 3. Binomial 3×3 mean of the blocks, bilinear in between: paper(x, y) ≥ 1. d = 1 − grey / paper, clamped to
-//    [0, 1].
-// 4. Divided by the 95th percentile of d over the pixels with d > 0.15 (at least 0.25), clamped to 1.
-// The networks' training sees drawings through the same steps. No error. Own.
+// --- ink and paper ---------------------------------------------------------------------------------------
+
+// What of a page is drawn. Decided once, on the whole page; every later step sees this and not the colours.
+struct PageInk {
+    // 0 paper, 1 the strongest strokes. A photograph, a scan and a digital drawing, dark on light and light
+    // on dark are alike in it; black on white comes out as 1 and 0.
+    Grid<float> darkness;
+    Mask fills;                 // filled areas, pale ones too
+    bool light_on_dark = false; // chalk on a board; a page in colours is turned round before a network sees it
+    bool cut_out = false;       // a figure without paper: what is opaque is drawn
+};
+
+// 1. Light on dark, when the ground is dull and more of the page is lighter than darker than it: turned round.
+// 2. Blocks of max(8, ⌈longer side / 64⌉) pixels; a block's paper is the 80th percentile of its brightness, in
+//    its tint. The ground is the largest region of blocks that lead on to each other by small steps (shadow,
+//    tint); in a block that is unlike the ground (a filled area) the paper continues as around it.
+// 3. Binomial 3×3 mean of the blocks, bilinear in between: paper(x, y) ≥ 1 in each channel. d = 1 − colour /
+//    paper of the channel where it is largest, clamped to [0, 1]; on a dull ground with light ink on it, the
+//    share of the way to white, too.
+// 4. Ruled lines and grids are taken out (image/ruling.hpp).
+// 5. Divided by the 95th percentile of d over the pixels with d > 0.15 (at least 0.25), clamped to 1.
+// The networks' training sees drawings through steps 2, 3 and 5. No error. Own; for the parts see
+// src/image/ink.cpp.
+PageInk find_page_ink(const RgbImage& page);
+// Of a figure on a transparent ground: what is opaque is drawn, at least faintly; white is the paper. No
+// error. Own.
+PageInk find_cut_out_ink(const RgbaImage& page);
+inline bool is_opaque(Rgba8 pixel) { return pixel.a >= 128; }
+
+// find_page_ink().darkness.
 Grid<float> ink_darkness(const RgbImage& image);
+// One character's ink from its crop of the page's darkness, step 5 for itself: 0 paper, 255 the strongest
+// strokes. No error. Own.
+GreyImage ink_of_crop(const Grid<float>& darkness);
+// Back to [0, 1]. No error. Own.
+Grid<float> darkness_of(const GreyImage& ink);
 
 // --- size ------------------------------------------------------------------------------------------------
 

@@ -15,6 +15,7 @@ struct PageCharacter {
     Box box;                     // page pixels
     double scale = 1, score = 0; // working pixels per page pixel; detector's score, 0 to 1
     std::string status = "ok";   // or "step: reason", or unfinished_status
+    bool exact_mask = false;     // mask.png is the silhouette to the pixel: the user gave it
 };
 // Of a character whose page `animate` is still at work on, or was when it was cut off.
 inline constexpr const char* unfinished_status = "unfinished";

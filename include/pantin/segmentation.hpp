@@ -102,12 +102,13 @@ public:
     ~Segmenter();
     Segmenter(Segmenter&&) noexcept;
 
-    // drawing: the crop at page resolution; mask: the detected silhouette at working size, the same crop.
-    // Labels at working size, probabilities at the network's. Error(weights) when the layers do not fit
-    // together, Error(internal) when drawing or mask is empty. The bits do not depend on the threads.
-    // Thesis 4.3; views and the final silhouette are own.
-    Segmentation segment(const RgbImage& drawing, const Mask& mask,
-                         const SegmentationOptions& options = {}) const;
+    // ink: of the crop at page resolution (DetectedCharacter); mask: the silhouette at working size, the same
+    // crop: the detector's estimate, or exact, then the labels fill it to the pixel. Labels at working size,
+    // probabilities at the network's. Error(weights) when the layers do not fit together, Error(internal)
+    // when ink or mask is empty. The bits do not depend on the threads. Thesis 4.3; views and the final
+    // silhouette are own.
+    Segmentation segment(const GreyImage& ink, const Mask& mask, const SegmentationOptions& options = {},
+                         bool exact_mask = false) const;
 
 private:
     struct Model;

@@ -101,14 +101,17 @@ void trim_paper(Mask& inside, const Grid<float>& darkness, double reach) {
 
 } // namespace
 
-RgbaImage make_texture(const RgbImage& drawing, const LabelMap& labels) {
+RgbaImage make_texture(const RgbImage& drawing, const GreyImage& drawn, const LabelMap& labels) {
     const int width = drawing.width(), height = drawing.height();
     Mask inside = enlarged(filled_silhouette(labels), width, height);
-    const Grid<float> darkness = ink_darkness(drawing);
-    const double reach =
-        static_cast<double>(width) / labels.width() * ink_margin(labels.width(), labels.height()) - 0.5;
-    const Mask ink = touching_ink(inside, darkness, reach);
-    trim_paper(inside, darkness, reach);
+    Mask ink(width, height);
+    const Grid<float> darkness = drawn.empty() ? Grid<float>(width, height) : darkness_of(drawn);
+    if (!drawn.empty()) {
+        const double reach =
+            static_cast<double>(width) / labels.width() * ink_margin(labels.width(), labels.height()) - 0.5;
+        ink = touching_ink(inside, darkness, reach);
+        trim_paper(inside, darkness, reach);
+    }
     RgbaImage texture(width, height);
     Mask opaque(width, height);
     for (std::size_t i = 0; i < texture.size(); ++i) {

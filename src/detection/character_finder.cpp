@@ -17,8 +17,9 @@ CharacterFinder::CharacterFinder(std::span<const unsigned char> weights, const s
 CharacterFinder::~CharacterFinder() = default;
 CharacterFinder::CharacterFinder(CharacterFinder&&) noexcept = default;
 
-std::vector<CharacterFinder::Found> CharacterFinder::find(const RgbImage& page, int threads) const {
-    return model_->network->find(page, network::Runtime(threads));
+std::vector<CharacterFinder::Found> CharacterFinder::find(const RgbImage& page, const Grid<float>& ink,
+                                                          int threads) const {
+    return model_->network->find(page, ink, network::Runtime(threads));
 }
 
 // Bilinear between the centres of the mask's pixels.

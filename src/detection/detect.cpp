@@ -18,35 +18,21 @@ namespace pantin {
 
 namespace {
 
-// Light drawings on dark ground (a blackboard, a dark screen): when nearly all of the page is dark, it is
-// inverted.
-bool is_dark_page(const GreyImage& grey) {
-    const auto dark = std::count_if(grey.begin(), grey.end(), [](std::uint8_t v) { return v < 100; });
-    return static_cast<double>(dark) > 0.8 * static_cast<double>(grey.size());
-}
-
-RgbImage inverted(RgbImage page) {
-    for (Rgb8& p : page)
-        p = {static_cast<std::uint8_t>(255 - p.r), static_cast<std::uint8_t>(255 - p.g),
-             static_cast<std::uint8_t>(255 - p.b)};
-    return page;
-}
-
 // Strokes: darker than the local mean by `ink_contrast` and not near-white; filled areas: at least half as
-// dark as the darkest strokes. Both on the page with its background evened out (ink_darkness), so shadows and
-// tints are gone.
-Mask find_ink(const RgbImage& page, const DetectionOptions& options) {
-    const Grid<float> darkness = ink_darkness(is_dark_page(greyscale(page)) ? inverted(page) : page);
-    GreyImage even(page.width(), page.height());
+// dark as the darkest strokes, or found as such.
+Mask find_ink(const PageInk& page, const DetectionOptions& options) {
+    if (page.cut_out) return page.fills;
+    const Grid<float>& darkness = page.darkness;
+    GreyImage even(darkness.width(), darkness.height());
     for (std::size_t i = 0; i < even.size(); ++i)
         even.data()[i] = static_cast<std::uint8_t>(255 - static_cast<int>(255 * darkness.data()[i] + 0.5f));
-    const int radius = std::max(8, std::max(page.width(), page.height()) / options.threshold_windows);
+    const int radius = std::max(8, std::max(even.width(), even.height()) / options.threshold_windows);
     Mask ink = adaptive_threshold(even, radius, static_cast<int>(255 * options.ink_contrast));
     const int lightest = 255 - static_cast<int>(255 * options.lightest_stroke);
     const int filled = 255 - static_cast<int>(255 * options.filled_darkness);
     for (std::size_t i = 0; i < ink.size(); ++i) {
         const int value = even.data()[i];
-        ink.data()[i] = value < filled || (ink.data()[i] && value < lightest);
+        ink.data()[i] = value < filled || (ink.data()[i] && value < lightest) || page.fills.data()[i];
     }
     return ink;
 }
@@ -78,21 +64,45 @@ double working_scale(const Box& box, const DetectionOptions& options) {
     return std::min(1.0, static_cast<double>(options.working_size) / std::max(box.width, box.height));
 }
 
-// The ink of one group inside its box, at working size. A working pixel is ink when a third of it is.
-Mask working_ink(const Mask& ink, const Grouping& grouping, int group, int factor, const Box& box,
-                 double scale) {
+// The ink of one group inside its box, page pixels.
+Mask own_ink(const Mask& ink, const Grouping& grouping, int group, int factor, const Box& box) {
     Mask own(box.width, box.height);
     for (int y = 0; y < box.height; ++y)
         for (int x = 0; x < box.width; ++x)
             own(x, y) = ink(box.x + x, box.y + y) &&
                         grouping.groups((box.x + x) / factor, (box.y + y) / factor) == group;
-    if (scale == 1) return own;
-    Grid<float> cover(box.width, box.height);
-    std::copy(own.begin(), own.end(), cover.begin());
-    cover = resize(cover, working_side(box.width, scale), working_side(box.height, scale));
+    return own;
+}
+
+// A working pixel belongs to the mask when so much of it does: a third of a stroke, half of a silhouette.
+Mask at_working_size(const Mask& mask, double scale, float least) {
+    if (scale == 1) return mask;
+    Grid<float> cover(mask.width(), mask.height());
+    std::copy(mask.begin(), mask.end(), cover.begin());
+    cover = resize(cover, working_side(mask.width(), scale), working_side(mask.height(), scale));
     Mask small(cover.width(), cover.height());
-    for (std::size_t i = 0; i < small.size(); ++i) small.data()[i] = cover.data()[i] >= 1.0f / 3;
+    for (std::size_t i = 0; i < small.size(); ++i) small.data()[i] = cover.data()[i] >= least;
     return small;
+}
+
+// Without the ink of others: darkness is the character's where its own ink is the nearest.
+Grid<float> own_darkness(Grid<float> darkness, const Mask& own, const Mask& ink) {
+    if (own == ink) return darkness;
+    const Grid<int> nearest = nearest_seed(ink);
+    for (std::size_t i = 0; i < darkness.size(); ++i)
+        if (nearest.data()[i] < 0 || !own.data()[nearest.data()[i]]) darkness.data()[i] = 0;
+    return darkness;
+}
+
+// A figure that is filled with opaque pixels is its own silhouette; one of lines alone is a drawing without
+// paper.
+void keep_cut_out(DetectedCharacter& character, const Mask& opaque) {
+    constexpr double filled_share = 0.7;
+    const Mask cut_out = at_working_size(opaque, character.scale, 0.5f);
+    const auto area = [](const Mask& m) { return static_cast<double>(std::count(m.begin(), m.end(), 1)); };
+    if (area(cut_out) < filled_share * area(character.mask)) return;
+    character.mask = cut_out;
+    character.exact_mask = true;
 }
 
 // Share of the silhouette's border that lies within two pen widths of ink.
@@ -126,39 +136,56 @@ std::vector<int> largest_groups(const Grouping& grouping, int count) {
     return order;
 }
 
-Grouping group(const RgbImage& page, const Mask& ink, int factor, const DetectionOptions& options,
-               const CharacterFinder* finder) {
+RgbImage inverted(RgbImage page) {
+    for (Rgb8& p : page)
+        p = {static_cast<std::uint8_t>(255 - p.r), static_cast<std::uint8_t>(255 - p.g),
+             static_cast<std::uint8_t>(255 - p.b)};
+    return page;
+}
+
+Grouping group(const RgbImage& page, const PageInk& page_ink, const Mask& ink, int factor,
+               const DetectionOptions& options, const CharacterFinder* finder) {
     if (finder) {
-        const std::vector<CharacterFinder::Found> found = whole_characters(
-            finder->find(is_dark_page(greyscale(page)) ? inverted(page) : page, options.threads), options);
+        const std::vector<CharacterFinder::Found> found =
+            whole_characters(finder->find(page_ink.light_on_dark ? inverted(page) : page, page_ink.darkness,
+                                          options.threads),
+                             options);
         Claims claims{CharacterFinder::claims(found, ink.width(), ink.height(), factor), {}};
         for (const CharacterFinder::Found& f : found) claims.scores.push_back(f.score);
-        if (!found.empty()) return group_by_claims(ink, claims, options);
+        DetectionOptions rules = options;
+        if (page_ink.cut_out) rules.shared_claim = 2; // cut out in one piece: one character
+        if (!found.empty()) return group_by_claims(ink, claims, rules);
     }
     return group_ink(ink, options);
 }
 
 } // namespace
 
-Detection detect(const RgbImage& page, const DetectionOptions& options, const CharacterFinder* finder) {
+Detection detect(const RgbImage& page, const PageInk& page_ink, const DetectionOptions& options,
+                 const CharacterFinder* finder) {
     Detection result;
     result.width = page.width();
     result.height = page.height();
-    result.ink = find_ink(page, options);
+    result.ink = find_ink(page_ink, options);
     const int factor =
         (std::max(page.width(), page.height()) + options.grouping_size - 1) / options.grouping_size;
-    const Grouping grouping = group(page, reduce(result.ink, factor), factor, options, finder);
+    const Grouping grouping =
+        group(page, page_ink, reduce(result.ink, factor), factor, options, finder);
     for (int index : largest_groups(grouping, options.max_characters)) {
         DetectedCharacter character;
         character.box = page_box(grouping.boxes[index], factor, page);
         if (std::max(character.box.width, character.box.height) < options.min_side) continue;
         character.scale = working_scale(character.box, options);
-        const Mask ink = working_ink(result.ink, grouping, index + 1, factor, character.box, character.scale);
+        const Mask own = own_ink(result.ink, grouping, index + 1, factor, character.box);
+        const Mask ink = at_working_size(own, character.scale, 1.0f / 3);
         character.mask = silhouette_of(ink);
+        if (page_ink.cut_out) keep_cut_out(character, own);
         if (std::none_of(character.mask.begin(), character.mask.end(), [](std::uint8_t v) { return v != 0; }))
             continue;
         character.score = grouping.scores.empty() ? inked_share(character.mask, ink) : grouping.scores[index];
         character.drawing = crop(page, character.box);
+        character.ink = ink_of_crop(
+            own_darkness(crop(page_ink.darkness, character.box), own, crop(result.ink, character.box)));
         result.characters.push_back(std::move(character));
     }
     if (result.characters.empty()) throw Error(ErrorKind::no_character, "no character found on the page");
@@ -166,7 +193,11 @@ Detection detect(const RgbImage& page, const DetectionOptions& options, const Ch
     return result;
 }
 
-DetectedCharacter character_of(const RgbImage& page, const Mask& silhouette,
+Detection detect(const RgbImage& page, const DetectionOptions& options, const CharacterFinder* finder) {
+    return detect(page, find_page_ink(page), options, finder);
+}
+
+DetectedCharacter character_of(const RgbImage& page, const PageInk& page_ink, const Mask& silhouette,
                                const DetectionOptions& options) {
     int left = page.width(), top = page.height(), right = 0, bottom = 0;
     for (int y = 0; y < silhouette.height(); ++y)
@@ -181,9 +212,9 @@ DetectedCharacter character_of(const RgbImage& page, const Mask& silhouette,
     character.scale = working_scale(character.box, options);
     character.score = 1;
     character.drawing = crop(page, character.box);
-    character.mask =
-        resize_mask(crop(silhouette, character.box), working_side(character.box.width, character.scale),
-                    working_side(character.box.height, character.scale));
+    character.ink = ink_of_crop(crop(page_ink.darkness, character.box));
+    character.mask = at_working_size(crop(silhouette, character.box), character.scale, 0.5f);
+    character.exact_mask = true;
     return character;
 }
 

@@ -15,7 +15,7 @@ class DetectionNetwork {
 public:
     virtual ~DetectionNetwork() = default;
     // As CharacterFinder::find. Error(weights) when layers do not fit together.
-    virtual std::vector<CharacterFinder::Found> find(const RgbImage& page,
+    virtual std::vector<CharacterFinder::Found> find(const RgbImage& page, const Grid<float>& ink,
                                                      const network::Runtime& runtime) const = 0;
 };
 

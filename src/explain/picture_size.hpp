@@ -19,4 +19,12 @@ inline RgbImage small_drawing(const Character& character) {
                   std::max(1, static_cast<int>(std::lrint(drawing.height() * factor))));
 }
 
+// Its ink at the same size; empty where the silhouette is exact (make_texture).
+inline GreyImage small_ink(const Character& character) {
+    if (character.exact_mask) return {};
+    const RgbImage small = small_drawing(character);
+    if (small.width() == character.ink.width()) return character.ink;
+    return ink_of_crop(resize(darkness_of(character.ink), small.width(), small.height()));
+}
+
 } // namespace pantin

@@ -17,9 +17,10 @@ namespace pantin {
 
 namespace fs = std::filesystem;
 
-void save_detected(const fs::path& folder, const RgbImage& drawing, const Mask& mask) {
+void save_detected(const fs::path& folder, const RgbImage& drawing, const GreyImage& ink, const Mask& mask) {
     create_folder(folder);
     save_png(folder / file_names::drawing, drawing);
+    save_png(folder / file_names::ink, inverted(ink));
     save_png(folder / file_names::mask, to_grey(mask));
 }
 

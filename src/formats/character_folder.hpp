@@ -18,7 +18,8 @@ namespace pantin {
 
 // --- one function a step, in the order of the flow; with `trace` the intermediate products, too ------------
 
-void save_detected(const std::filesystem::path& folder, const RgbImage& drawing, const Mask& mask);
+void save_detected(const std::filesystem::path& folder, const RgbImage& drawing, const GreyImage& ink,
+                   const Mask& mask);
 // Of labels that were given instead of found there is only the picture.
 void save_segmentation(const std::filesystem::path& folder, const Segmentation& segmentation, bool trace);
 void save_skeletonization(const std::filesystem::path& folder, const Skeletonization& skeletonization,

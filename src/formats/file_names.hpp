@@ -11,6 +11,7 @@ inline constexpr const char* walkthrough = "index.html";
 
 // A character's folder, in the order of the steps.
 inline constexpr const char* drawing = "drawing.png";
+inline constexpr const char* ink = "ink.png";
 inline constexpr const char* mask = "mask.png";
 inline constexpr const char* labels = "labels.png";
 inline constexpr const char* segmentation = "segmentation.json";

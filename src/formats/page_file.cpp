@@ -23,6 +23,7 @@ PageCharacter read_page_character(const JsonReader& reader) {
     character.scale = reader.at("scale").number(0, 1);
     character.score = reader.at("score").number(0, 1);
     character.status = reader.at("status").text();
+    if (reader.has("exact_mask")) character.exact_mask = reader.at("exact_mask").boolean();
     return character;
 }
 
@@ -44,6 +45,7 @@ std::string page_to_json(const Page& page) {
         item["scale"] = character.scale;
         item["score"] = character.score;
         item["status"] = character.status;
+        if (character.exact_mask) item["exact_mask"] = true;
         json["characters"].push_back(item);
     }
     return to_json_text(json);

@@ -17,6 +17,21 @@ std::string size_text(int width, int height) { return std::to_string(width) + "Ã
 
 RgbImage read_drawing(const fs::path& folder) { return load_image(folder / file_names::drawing, 1); }
 
+GreyImage inverted(GreyImage image) {
+    for (std::uint8_t& pixel : image) pixel = static_cast<std::uint8_t>(255 - pixel);
+    return image;
+}
+
+GreyImage read_ink(const fs::path& folder, const RgbImage& drawing) {
+    const fs::path file = folder / file_names::ink;
+    std::error_code ignored;
+    if (!fs::exists(file, ignored)) return ink_of_crop(ink_darkness(drawing));
+    GreyImage ink = inverted(load_grey(file));
+    if (ink.width() != drawing.width() || ink.height() != drawing.height())
+        fail_size(file, ink.width(), ink.height(), file_names::drawing, drawing.width(), drawing.height());
+    return ink;
+}
+
 Mask read_mask(const fs::path& folder) {
     Mask mask = load_grey(folder / file_names::mask);
     for (std::uint8_t& pixel : mask) pixel = pixel >= 128 ? 1 : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// drawing.png, mask.png and labels.png of a character's folder (docs/formats.md). Readers throw Error(input)
+// drawing.png, ink.png, mask.png and labels.png of a character's folder (docs/formats.md). Readers throw Error(input)
 // that names the file and what is wrong.
 #pragma once
 
@@ -12,6 +12,9 @@
 namespace pantin {
 
 RgbImage read_drawing(const std::filesystem::path& folder); // the crop, page pixels
+// What of it is drawn: 0 paper, 255 the strongest strokes (in the file black). Without a file, which only a
+// folder made by hand lacks, it is found on the drawing.
+GreyImage read_ink(const std::filesystem::path& folder, const RgbImage& drawing);
 Mask read_mask(const std::filesystem::path& folder);        // working size, 0 or 1 (file: at least 128)
 LabelMap read_labels(const std::filesystem::path& folder, const Mask& mask); // of the mask's size
 
@@ -21,6 +24,8 @@ void check_labels(const LabelMap& labels, const std::filesystem::path& file);
 [[noreturn]] void fail_size(const std::filesystem::path& file, int width, int height,
                             const std::string& other, int other_width, int other_height);
 
+// Ink is dark on white in files.
+GreyImage inverted(GreyImage image);
 // Masks have 0 and 255 in files.
 GreyImage to_grey(const Mask& mask);
 

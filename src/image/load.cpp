@@ -151,6 +151,31 @@ RgbImage turned(RgbImage image, int degrees) {
 GreyImage turned(GreyImage image, int degrees) {
     return apply_orientation(std::move(image), orientation_of(degrees));
 }
+RgbaImage turned(RgbaImage image, int degrees) {
+    return apply_orientation(std::move(image), orientation_of(degrees));
+}
+
+RgbImage composite_on_white(const RgbaImage& image) {
+    RgbImage out(image.width(), image.height());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const Rgba8 p = image.data()[i];
+        out.data()[i] = {over_white(p.r, p.a), over_white(p.g, p.a), over_white(p.b, p.a)};
+    }
+    return out;
+}
+
+RgbaImage load_rgba(const std::filesystem::path& file, int min_side) {
+    const std::vector<unsigned char> bytes = read_file(file);
+    const ContainerInfo info = check_container(file.string(), bytes, min_side);
+    if (info.kind == Container::png) return decode_rgba(bytes, file.string());
+    const RgbImage opaque = decode_image(bytes, file.string(), min_side);
+    RgbaImage image(opaque.width(), opaque.height());
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        const Rgb8 p = opaque.data()[i];
+        image.data()[i] = {p.r, p.g, p.b, 255};
+    }
+    return image;
+}
 
 RgbImage decode_image(Bytes bytes, const std::string& source, int min_side) {
     const ContainerInfo info = check_container(source, bytes, min_side);

@@ -7,6 +7,7 @@
 #include "core/math.hpp"
 #include "formats/character_folder.hpp"
 #include "formats/file_names.hpp"
+#include "pipeline/detected_page.hpp"
 
 namespace pantin {
 
@@ -16,7 +17,8 @@ Character load_character(const fs::path& folder, Step step, Context& context) {
     Character c;
     c.reached = static_cast<Step>(static_cast<int>(step) - 1);
     c.mask = read_mask(folder);
-    if (step == Step::segment) c.drawing = read_drawing(folder);
+    c.exact_mask = is_exact_mask(folder);
+    if (step == Step::segment) c.drawing = read_drawing(folder), c.ink = read_ink(folder, c.drawing);
     if (step <= Step::segment) return c;
 
     c.segmentation.labels = read_labels(folder, c.mask);
@@ -28,6 +30,7 @@ Character load_character(const fs::path& folder, Step step, Context& context) {
     c.identification = read_identification(folder, c.skeletonization.graph, context.references());
     c.reference = choose_reference(c.identification, context.references(), context.settings().blend);
     c.drawing = read_drawing(folder);
+    if (!is_model_folder(folder)) c.ink = read_ink(folder, c.drawing);
     if (is_model_folder(folder)) c.solid = read_solid(folder, context.options().modeling);
     if (step <= Step::rig) return c;
 
@@ -74,7 +77,7 @@ Rig make_rig(const Character& c, const fs::path& mapping, Context& context) {
 
 RgbaImage make_texture(const Character& c) {
     return c.solid ? make_solid_texture(c.drawing, c.segmentation.labels)
-                   : make_texture(c.drawing, c.segmentation.labels);
+                   : make_texture(c.drawing, c.exact_mask ? GreyImage() : c.ink, c.segmentation.labels);
 }
 
 std::vector<BoneAnimation> make_animations(const Rig& rig, const ReferenceSkeleton& reference,

@@ -3,6 +3,7 @@
 // in its page (thesis 4.2).
 #include "pipeline/detected_page.hpp"
 
+#include <algorithm>
 #include <system_error>
 
 #include "core/file.hpp"
@@ -20,14 +21,46 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Detection detect_on(const RgbImage& picture, const fs::path& image, Context& context) {
+Detection detect_on(const RgbImage& picture, const PageInk& ink, const fs::path& image, Context& context) {
     const DetectionOptions& options = context.options().detection;
     const CharacterFinder* finder = options.detector == Detector::mask_rcnn ? &context.finder() : nullptr;
     try {
-        return detect(picture, options, finder);
+        return detect(picture, ink, options, finder);
     } catch (const Error& error) {
         throw Error(error.kind(), image.string() + ": " + error.what());
     }
+}
+
+struct Upright {
+    RgbImage picture;
+    PageInk ink;
+};
+
+// A transparent ground: most of the picture's border is.
+bool is_cut_out(const RgbaImage& picture) {
+    long border = 0, clear = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) {
+            if (x > 0 && y > 0 && x + 1 < picture.width() && y + 1 < picture.height()) continue;
+            ++border;
+            clear += !is_opaque(picture(x, y));
+        }
+    return 2 * clear > border;
+}
+
+// The picture as it is to be read, and its ink. Of a cut-out the colours are kept as they are, on white.
+Upright load_upright(const fs::path& file, int rotate) {
+    const RgbaImage loaded = load_rgba(file, min_image_side);
+    if (!is_cut_out(loaded)) {
+        RgbImage picture = turned(composite_on_white(loaded), rotate);
+        PageInk ink = find_page_ink(picture);
+        return {std::move(picture), std::move(ink)};
+    }
+    const RgbaImage cut_out = turned(loaded, rotate);
+    RgbImage picture(cut_out.width(), cut_out.height(), Rgb8{255, 255, 255});
+    for (std::size_t i = 0; i < picture.size(); ++i)
+        if (const Rgba8 p = cut_out.data()[i]; is_opaque(p)) picture.data()[i] = {p.r, p.g, p.b};
+    return {std::move(picture), find_cut_out_ink(cut_out)};
 }
 
 // The folder with its own name, also for "." and "character-1/".
@@ -42,14 +75,15 @@ fs::path resolved(const fs::path& folder) {
 AnimatedPage detect_characters(const fs::path& image, Context& context) {
     const Settings& settings = context.settings();
     AnimatedPage result;
-    result.picture = turned(load_image(picture_of(image)), settings.rotate);
+    const Upright upright = load_upright(picture_of(image), settings.rotate);
+    result.picture = upright.picture;
     std::optional<GivenCharacter> given =
-        given_character(result.picture, image, settings, context.options().detection);
+        given_character(result.picture, upright.ink, image, settings, context.options().detection);
     Detection detection;
     if (given)
         detection.characters.push_back(std::move(given->detected));
     else
-        detection = detect_on(result.picture, image, context);
+        detection = detect_on(result.picture, upright.ink, image, context);
     result.ink = std::move(detection.ink);
 
     Page& page = result.page;
@@ -61,10 +95,13 @@ AnimatedPage detect_characters(const fs::path& image, Context& context) {
         given ? "given" : detector_names[static_cast<std::size_t>(context.options().detection.detector)];
     for (DetectedCharacter& detected : detection.characters) {
         page.characters.push_back({"character-" + std::to_string(page.characters.size() + 1), detected.box,
-                                   detected.scale, detected.score, unfinished_status});
+                                   detected.scale, detected.score, unfinished_status,
+                                   detected.exact_mask});
         Character& character = result.characters.emplace_back();
         character.drawing = std::move(detected.drawing);
+        character.ink = std::move(detected.ink);
         character.mask = std::move(detected.mask);
+        character.exact_mask = detected.exact_mask;
         if (given) character.given_labels = std::move(given->labels);
     }
     return result;
@@ -77,12 +114,22 @@ void save_detection(const fs::path& out, const AnimatedPage& detected, bool trac
     write_page(out, detected.page); // first, so that the next run knows which folders to clear
     for (std::size_t i = 0; i < detected.characters.size(); ++i)
         save_detected(out / detected.page.characters[i].folder, detected.characters[i].drawing,
-                      detected.characters[i].mask);
+                      detected.characters[i].ink, detected.characters[i].mask);
 }
 
 void require_folder(const fs::path& folder) {
     std::error_code error;
     if (!fs::is_directory(folder, error)) throw Error(ErrorKind::input, folder.string() + ": no such folder");
+}
+
+bool is_exact_mask(const fs::path& folder) {
+    const fs::path whole = resolved(folder), file = whole.parent_path() / file_names::page;
+    std::error_code ignored;
+    if (!fs::exists(file, ignored)) return false;
+    const Page page = read_page(file);
+    return std::any_of(page.characters.begin(), page.characters.end(), [&](const PageCharacter& character) {
+        return character.folder == whole.filename() && character.exact_mask;
+    });
 }
 
 void set_status(const fs::path& folder, const std::string& status) {

@@ -17,6 +17,8 @@ void save_detection(const std::filesystem::path& out, const AnimatedPage& detect
 
 // Error(input) when it is none.
 void require_folder(const std::filesystem::path& folder);
+// Whether the page.json beside a character's folder says that its mask is the silhouette to the pixel.
+bool is_exact_mask(const std::filesystem::path& folder);
 // Keeps the entry of the character in the page.json beside its folder; a folder may also stand alone.
 void set_status(const std::filesystem::path& folder, const std::string& status);
 

@@ -29,7 +29,7 @@ fs::path picture_of(const fs::path& image) {
     return is_animated_drawings_folder(image) ? image / file_names::texture : image;
 }
 
-std::optional<GivenCharacter> given_character(const RgbImage& page, const fs::path& image,
+std::optional<GivenCharacter> given_character(const RgbImage& page, const PageInk& ink, const fs::path& image,
                                               const Settings& settings, const DetectionOptions& options) {
     Overrides overrides = settings.overrides;
     const bool has_joints = is_animated_drawings_folder(image) && overrides.labels.empty();
@@ -55,7 +55,7 @@ std::optional<GivenCharacter> given_character(const RgbImage& page, const fs::pa
     const fs::path& file = overrides.labels.empty() ? overrides.mask : overrides.labels;
     if (std::count(mask.begin(), mask.end(), 1) == 0)
         throw Error(ErrorKind::input, file.string() + ": has no pixel of the character");
-    GivenCharacter character{character_of(page, mask, options), std::nullopt};
+    GivenCharacter character{character_of(page, ink, mask, options), std::nullopt};
     const Mask& small = character.detected.mask;
     if (!labels.empty())
         character.labels =

@@ -20,7 +20,8 @@ std::filesystem::path picture_of(const std::filesystem::path& image);
 
 // The character of the given mask or labels, or of an AnimatedDrawings folder; none when there is neither.
 // `page` is turned already. Error(input) names the file that does not fit.
-std::optional<GivenCharacter> given_character(const RgbImage& page, const std::filesystem::path& image,
+std::optional<GivenCharacter> given_character(const RgbImage& page, const PageInk& ink,
+                                              const std::filesystem::path& image,
                                               const Settings& settings, const DetectionOptions& options);
 
 } // namespace pantin

@@ -48,7 +48,7 @@ void run_steps(Character& c, const fs::path& folder, Step first, Step last, Cont
         if (c.given_labels)
             c.segmentation.labels = *c.given_labels;
         else
-            c.segmentation = context.segmenter().segment(c.drawing, c.mask, options.segmentation);
+            c.segmentation = context.segmenter().segment(c.ink, c.mask, options.segmentation, c.exact_mask);
         save_segmentation(folder, c.segmentation, settings.trace);
         c.reached = Step::segment;
         // The files are there: whoever knows better corrects labels.png and goes on with the next step.

@@ -44,14 +44,14 @@ Segmenter::Segmenter(std::span<const unsigned char> weights, const std::string& 
 Segmenter::~Segmenter() = default;
 Segmenter::Segmenter(Segmenter&&) noexcept = default;
 
-Segmentation Segmenter::segment(const RgbImage& drawing, const Mask& mask,
-                                const SegmentationOptions& options) const {
-    if (drawing.empty() || mask.empty()) throw Error(ErrorKind::internal, "segmentation: the crop is empty");
+Segmentation Segmenter::segment(const GreyImage& drawn, const Mask& mask, const SegmentationOptions& options,
+                                bool exact_mask) const {
+    if (drawn.empty() || mask.empty()) throw Error(ErrorKind::internal, "segmentation: the crop is empty");
     const segmentation::SegmentationNetwork& net = *model_->network;
     const network::Runtime runtime(options.threads);
 
     // 1. The network sees how dark the ink is, in its own square.
-    const Grid<float> ink = ink_darkness(drawing);
+    const Grid<float> ink = darkness_of(drawn);
     const segmentation::NetworkResult seen = segmentation::segment_views(
         net, segmentation::to_input(ink, net.input, options.grey_erosion),
         {options.mirror, options.tilt, options.inverse_temperature, options.sufficient_confidence}, runtime);
@@ -74,7 +74,8 @@ Segmentation Segmenter::segment(const RgbImage& drawing, const Mask& mask,
     for (float& p : foreground) p = 1 - p;
     const Grid<float> working_ink = resize(ink, mask.width(), mask.height());
     const Mask silhouette =
-        segmentation::decide_silhouette(mask, foreground, working_ink, options.silhouette);
+        exact_mask ? mask
+                   : segmentation::decide_silhouette(mask, foreground, working_ink, options.silhouette);
     result.stroke_ratio = stroke_ratio(working_ink, silhouette);
     result.labels = segmentation::label_parts(silhouette, probabilities, options.silhouette);
     return result;

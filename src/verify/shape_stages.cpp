@@ -23,7 +23,7 @@ namespace {
 constexpr const char* page_file = "page.png";
 
 Files find(const StageContext& c) {
-    return {{"found.json", found_to_json(c.networks.finder().find(c.picture(page_file), c.threads))}};
+    return {{"found.json", found_to_json(c.networks.finder().find(c.picture(page_file), ink_darkness(c.picture(page_file)), c.threads))}};
 }
 
 Files detect_characters(const StageContext& c) {
@@ -43,6 +43,7 @@ Files detect_characters(const StageContext& c) {
     return {{file_names::page, page_to_json(page)},
             {"trace/ink.png", png(to_grey(detection.ink))},
             {character_path + file_names::drawing, png(first.drawing)},
+            {character_path + file_names::ink, png(inverted(first.ink))},
             {character_path + file_names::mask, png(to_grey(first.mask))}};
 }
 
@@ -50,7 +51,7 @@ Files segment(const StageContext& c) {
     SegmentationOptions options = c.options.segmentation;
     options.threads = c.threads;
     const Segmentation result = c.networks.segmenter().segment(
-        c.picture(character_path + file_names::drawing), c.mask(character_path + file_names::mask), options);
+        inverted(c.grey(character_path + file_names::ink)), c.mask(character_path + file_names::mask), options);
     return {{character_path + file_names::segmentation, segmentation_to_json(result)},
             {character_path + file_names::labels, png(result.labels)},
             {trace_path + "probabilities.json", probabilities_to_json(result.probabilities)}};

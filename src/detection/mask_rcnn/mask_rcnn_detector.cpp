@@ -14,7 +14,7 @@ namespace {
 
 // What the network sees: ink darkness, or red, green and blue in [0, 1]. Large pages are averaged down first;
 // the network's own resizing would skip thin lines.
-network::Tensor input_of(const RgbImage& page, const TransformOptions& options) {
+network::Tensor input_of(const RgbImage& page, const Grid<float>& ink, const TransformOptions& options) {
     const int longer = std::max(page.width(), page.height());
     const auto side = [&](int pixels) {
         const double share = std::min(1.0, static_cast<double>(options.longer) / longer);
@@ -26,8 +26,8 @@ network::Tensor input_of(const RgbImage& page, const TransformOptions& options) 
     };
     network::Tensor input(1, static_cast<int>(options.mean.size()), height, width);
     if (input.channels() == 1) {
-        const Grid<float> ink = reduced(ink_darkness(page));
-        std::copy(ink.begin(), ink.end(), input.begin());
+        const Grid<float> darkness = reduced(ink);
+        std::copy(darkness.begin(), darkness.end(), input.begin());
         return input;
     }
     constexpr std::uint8_t Rgb8::*colours[] = {&Rgb8::r, &Rgb8::g, &Rgb8::b};
@@ -45,8 +45,9 @@ class Detector : public detection::DetectionNetwork {
 public:
     explicit Detector(Network network) : network_(std::move(network)) {}
 
-    std::vector<CharacterFinder::Found> find(const RgbImage& page, const Runtime& runtime) const override {
-        const Tensor image = input_of(page, network_.options.transform);
+    std::vector<CharacterFinder::Found> find(const RgbImage& page, const Grid<float>& ink,
+                                             const Runtime& runtime) const override {
+        const Tensor image = input_of(page, ink, network_.options.transform);
         const double x = static_cast<double>(page.width()) / image.width(),
                      y = static_cast<double>(page.height()) / image.height();
         std::vector<CharacterFinder::Found> found;

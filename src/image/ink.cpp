@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// What of a page is drawn, and how strongly: the distance of every pixel from the paper's colour. The one
+// place that tells ink from paper; every later step sees its result.
+#include <algorithm>
+#include <array>
+
+#include "image/paper.hpp"
+#include "image/ruling.hpp"
+#include "pantin/image.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr float dark_pixel = 0.15f;     // pixels darker than this count as strokes …
+constexpr int dark_percent = 95;        // … and this percentile of them becomes 1
+constexpr float min_dark_level = 0.25f; // faint pencil is raised at most fourfold
+constexpr int darkness_bins = 1024;
+
+// Ink that is lighter than the paper (white on kraft) shows where the paper leaves room for it: on a ground
+// whose channels are this far below white, and if it is as much ink as this share of the darker one.
+constexpr float dull_paper = 200;
+constexpr float light_ink = 0.5f;
+constexpr double light_ink_share = 0.2;
+
+// A filled area is at least this far from the paper, and this many times the paper's own noise.
+constexpr float faintest_fill = 0.05f, fill_over_noise = 3;
+constexpr float opaque_darkness = 0.2f; // least of what is opaque on a page without paper
+
+RgbImage inverted(RgbImage page) {
+    for (Rgb8& p : page)
+        p = {static_cast<std::uint8_t>(255 - p.r), static_cast<std::uint8_t>(255 - p.g),
+             static_cast<std::uint8_t>(255 - p.b)};
+    return page;
+}
+
+std::array<float, 3> channels(Rgb8 p) {
+    return {static_cast<float>(p.r), static_cast<float>(p.g), static_cast<float>(p.b)};
+}
+
+// By how much a channel falls short of the paper, the largest of the three; 0 … 1.
+float darker_by(Rgb8 pixel, const Colour& paper) {
+    const std::array<float, 3> c = channels(pixel);
+    float most = 0;
+    for (std::size_t k = 0; k < 3; ++k) most = std::max(most, 1 - c[k] / paper[k]);
+    return most;
+}
+
+// The share of its way to white by which a channel exceeds the paper, the largest of the three; 0 … 1.
+float lighter_by(Rgb8 pixel, const Colour& paper) {
+    const std::array<float, 3> c = channels(pixel);
+    float most = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (paper[k] <= dull_paper) most = std::max(most, (c[k] - paper[k]) / (255 - paper[k]));
+    return most;
+}
+
+// Distance from the paper, 0 … 1.
+Grid<float> distance_from(const RgbImage& page, const Paper& paper) {
+    Grid<float> darker(page.width(), page.height()), lighter(page.width(), page.height());
+    long dark = 0, light = 0;
+    for (int y = 0; y < page.height(); ++y) {
+        const std::vector<Colour> row = paper_row(paper, y, page.width());
+        for (int x = 0; x < page.width(); ++x) {
+            const Colour& p = row[static_cast<std::size_t>(x)];
+            darker(x, y) = darker_by(page(x, y), p);
+            lighter(x, y) = lighter_by(page(x, y), p);
+            dark += darker(x, y) >= light_ink;
+            light += lighter(x, y) >= light_ink;
+        }
+    }
+    if (light == 0 || static_cast<double>(light) < light_ink_share * static_cast<double>(dark)) return darker;
+    for (std::size_t i = 0; i < darker.size(); ++i)
+        darker.data()[i] = std::max(darker.data()[i], lighter.data()[i]);
+    return darker;
+}
+
+// The darkness of the darkest strokes: a percentile over the pixels that are not paper.
+float dark_level(const Grid<float>& darkness) {
+    std::array<std::int64_t, darkness_bins> histogram{};
+    std::int64_t count = 0;
+    for (float d : darkness) {
+        if (d <= dark_pixel) continue;
+        ++histogram[static_cast<std::size_t>(d * (darkness_bins - 1))];
+        ++count;
+    }
+    if (count == 0) return min_dark_level;
+    std::size_t bin = 0;
+    for (std::int64_t below = histogram[0]; 100 * below < dark_percent * count; below += histogram[bin])
+        ++bin;
+    return std::max(min_dark_level, static_cast<float>(bin) / (darkness_bins - 1));
+}
+
+void normalise(Grid<float>& darkness) {
+    const float level = dark_level(darkness);
+    for (float& d : darkness) d = std::min(1.0f, d / level);
+}
+
+// Median over the bare blocks of the mean distance of their lighter pixels: what is left of the paper.
+float noise_of(const Grid<float>& distance, const Paper& paper) {
+    std::vector<float> means;
+    const int block = paper.block;
+    for (int by = 0; by < paper.bare.height(); ++by)
+        for (int bx = 0; bx < paper.bare.width(); ++bx) {
+            if (!paper.bare(bx, by)) continue;
+            float sum = 0;
+            int count = 0;
+            for (int y = by * block; y < std::min(distance.height(), (by + 1) * block); ++y)
+                for (int x = bx * block; x < std::min(distance.width(), (bx + 1) * block); ++x)
+                    if (distance(x, y) <= dark_pixel) sum += distance(x, y), ++count;
+            if (count > 0) means.push_back(sum / static_cast<float>(count));
+        }
+    if (means.empty()) return 0;
+    const auto middle = means.begin() + static_cast<std::ptrdiff_t>(means.size() / 2);
+    std::nth_element(means.begin(), middle, means.end());
+    return *middle;
+}
+
+// Filled areas: connected pixels away from the paper that hold a block without bare paper.
+Mask find_fills(const Grid<float>& distance, const Paper& paper) {
+    const float least = std::max(faintest_fill, fill_over_noise * noise_of(distance, paper));
+    Mask away(distance.width(), distance.height());
+    std::transform(distance.begin(), distance.end(), away.begin(),
+                   [&](float d) -> std::uint8_t { return d >= least; });
+    // Grain and the blurred edges of strokes are no areas.
+    away = open_disc(away, 1.5);
+    const Components pieces = connected_components(away);
+    std::vector<char> filled(pieces.list.size() + 1, 0);
+    for (int y = 0; y < away.height(); ++y)
+        for (int x = 0; x < away.width(); ++x)
+            if (pieces.ids(x, y) && !paper.bare(x / paper.block, y / paper.block))
+                filled[static_cast<std::size_t>(pieces.ids(x, y))] = 1;
+    for (std::size_t i = 0; i < away.size(); ++i)
+        away.data()[i] = filled[static_cast<std::size_t>(pieces.ids.data()[i])];
+    return away;
+}
+
+} // namespace
+
+PageInk find_page_ink(const RgbImage& page) {
+    PageInk ink;
+    if (page.empty()) return ink;
+    ink.light_on_dark = is_light_on_dark(page);
+    const RgbImage turned = ink.light_on_dark ? inverted(page) : page;
+    const Paper paper = estimate_paper(turned);
+    ink.darkness = distance_from(turned, paper);
+    remove_ruling(ink.darkness);
+    ink.fills = find_fills(ink.darkness, paper);
+    normalise(ink.darkness);
+    return ink;
+}
+
+PageInk find_cut_out_ink(const RgbaImage& page) {
+    PageInk ink;
+    ink.cut_out = true;
+    ink.darkness = Grid<float>(page.width(), page.height());
+    ink.fills = Mask(page.width(), page.height());
+    for (std::size_t i = 0; i < page.size(); ++i) {
+        const Rgba8 p = page.data()[i];
+        if (!is_opaque(p)) continue;
+        ink.darkness.data()[i] =
+            std::max(opaque_darkness, darker_by({p.r, p.g, p.b}, Colour{255, 255, 255}));
+        ink.fills.data()[i] = 1;
+    }
+    normalise(ink.darkness);
+    return ink;
+}
+
+Grid<float> ink_darkness(const RgbImage& image) { return find_page_ink(image).darkness; }
+
+GreyImage ink_of_crop(const Grid<float>& darkness) {
+    Grid<float> own = darkness;
+    normalise(own);
+    GreyImage grey(own.width(), own.height());
+    std::transform(own.begin(), own.end(), grey.begin(),
+                   [](float d) { return static_cast<std::uint8_t>(255 * d + 0.5f); });
+    return grey;
+}
+
+Grid<float> darkness_of(const GreyImage& ink) {
+    Grid<float> darkness(ink.width(), ink.height());
+    std::transform(ink.begin(), ink.end(), darkness.begin(),
+                   [](std::uint8_t v) { return static_cast<float>(v) / 255; });
+    return darkness;
+}
+
+} // namespace pantin

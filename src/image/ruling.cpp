@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// Ruled lines: found by a Hough transform of a few directions, taken out run by run, as forms are cleaned of
+// their lines. Based on: R. O. Duda, P. E. Hart: Use of the Hough transformation to detect lines and curves
+// in pictures. CACM 15, 1972; B. Yu, A. K. Jain: A generic system for form dropout. PAMI 18, 1996.
+#include "image/ruling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pantin {
+
+namespace {
+
+constexpr int searched_size = 1024;    // longer side of the grid on which lines are searched
+constexpr double steepest = 0.06;      // slope against the page's sides
+constexpr float faintest_line = 0.04f; // a line is this much darker than both of its sides
+constexpr double long_line = 0.5;      // of the page's side are covered by a line,
+constexpr double known_line = 0.25;    // or so much where the spacing says that one is due
+constexpr int fewest_lines = 3;
+constexpr double even_spacing = 0.15;  // of the pitch
+constexpr double evenly_spaced = 0.6;  // least share of the gaps that are one or two pitches
+
+// The page with x along the lines: as it is, or transposed.
+template <class T> class Along {
+public:
+    Along(Grid<T>& grid, bool transposed) : grid_(grid), transposed_(transposed) {}
+    int length() const { return transposed_ ? grid_.height() : grid_.width(); }
+    int breadth() const { return transposed_ ? grid_.width() : grid_.height(); }
+    T& operator()(int x, int y) const { return transposed_ ? grid_(y, x) : grid_(x, y); }
+
+private:
+    Grid<T>& grid_;
+    bool transposed_;
+};
+
+struct Place {
+    int x, y;
+};
+
+// Where a pixel is darker than both sides, in pixels of the searched grid.
+std::vector<Place> ridges(const Along<float>& page, int factor) {
+    const int reach = std::max(4, std::max(page.length(), page.breadth()) / 100);
+    const int length = (page.length() + factor - 1) / factor, breadth = (page.breadth() + factor - 1) / factor;
+    Mask found(length, breadth);
+    for (int y = 0; y < page.breadth(); ++y)
+        for (int x = 0; x < page.length(); ++x) {
+            const float d = page(x, y) - faintest_line;
+            if (d <= 0) continue;
+            if ((y < reach || page(x, y - reach) <= d) &&
+                (y + reach >= page.breadth() || page(x, y + reach) <= d))
+                found(x / factor, y / factor) = 1;
+        }
+    std::vector<Place> places;
+    for (int x = 0; x < length; ++x)
+        for (int y = 0; y < breadth; ++y)
+            if (found(x, y)) places.push_back({x, y});
+    return places; // column by column
+}
+
+// A line y = offset + slope · (x − length / 2) in the searched grid.
+int offset_of(const Place& p, double slope, int length) {
+    return static_cast<int>(std::floor(p.y - slope * (p.x - 0.5 * length) + 0.5));
+}
+
+// Per offset, the number of columns in which the line, three pixels thick, has a ridge.
+std::vector<int> coverage(const std::vector<Place>& places, double slope, int length, int breadth) {
+    std::vector<int> columns(static_cast<std::size_t>(breadth), 0), last(columns.size(), -1);
+    for (const Place& p : places) {
+        const int middle = offset_of(p, slope, length);
+        for (int o = std::max(0, middle - 1); o <= std::min(breadth - 1, middle + 1); ++o) {
+            const auto i = static_cast<std::size_t>(o);
+            if (last[i] == p.x) continue;
+            last[i] = p.x;
+            ++columns[i];
+        }
+    }
+    return columns;
+}
+
+// Offsets whose coverage is largest around and at least `least`.
+std::vector<int> peaks_of(const std::vector<int>& columns, int least) {
+    constexpr int around = 3;
+    std::vector<int> peaks;
+    const int n = static_cast<int>(columns.size());
+    for (int o = 0; o < n; ++o) {
+        const int own = columns[static_cast<std::size_t>(o)];
+        if (own < least || (!peaks.empty() && o - peaks.back() <= around)) continue;
+        bool largest = true;
+        for (int k = std::max(0, o - around); k <= std::min(n - 1, o + around); ++k)
+            largest = largest && columns[static_cast<std::size_t>(k)] <= own;
+        if (largest) peaks.push_back(o);
+    }
+    return peaks;
+}
+
+// The pitch of evenly spaced offsets; 0: they are not.
+double pitch_of(const std::vector<int>& offsets) {
+    if (offsets.size() < static_cast<std::size_t>(fewest_lines)) return 0;
+    std::vector<int> gaps;
+    for (std::size_t i = 1; i < offsets.size(); ++i) gaps.push_back(offsets[i] - offsets[i - 1]);
+    std::vector<int> sorted = gaps;
+    std::sort(sorted.begin(), sorted.end());
+    const double pitch = sorted[sorted.size() / 2];
+    std::size_t even = 0;
+    for (int gap : gaps)
+        even += std::abs(gap - pitch) <= std::max(1.0, even_spacing * pitch) ||
+                std::abs(gap - 2 * pitch) <= std::max(1.0, even_spacing * pitch);
+    return static_cast<double>(even) >= evenly_spaced * static_cast<double>(gaps.size()) ? pitch : 0;
+}
+
+struct Ruling {
+    double slope = 0;
+    std::vector<int> offsets;
+};
+
+// The direction in which the lines stand out most (the sum of squares of a projection is largest where it is
+// sharpest), and its evenly spaced lines.
+Ruling find_ruling(const std::vector<Place>& places, int length, int breadth) {
+    const int steps = static_cast<int>(steepest * length);
+    double best = -1;
+    Ruling ruling;
+    std::vector<int> columns;
+    for (int step = -steps; step <= steps; ++step) {
+        const double slope = static_cast<double>(step) / length;
+        std::vector<int> counts(static_cast<std::size_t>(breadth), 0);
+        for (const Place& p : places)
+            if (const int o = offset_of(p, slope, length); o >= 0 && o < breadth)
+                ++counts[static_cast<std::size_t>(o)];
+        double squares = 0;
+        for (int c : counts) squares += static_cast<double>(c) * c;
+        if (squares > best) best = squares, ruling.slope = slope;
+    }
+    columns = coverage(places, ruling.slope, length, breadth);
+    const std::vector<int> sure = peaks_of(columns, static_cast<int>(long_line * length));
+    const double pitch = pitch_of(sure);
+    if (pitch == 0) return ruling;
+    for (int offset : peaks_of(columns, static_cast<int>(known_line * length))) {
+        const bool due = std::any_of(sure.begin(), sure.end(), [&](int s) {
+            const double pitches = (offset - s) / pitch;
+            return std::abs(pitches - std::floor(pitches + 0.5)) * pitch <=
+                   std::max(1.0, even_spacing * pitch);
+        });
+        if (due) ruling.offsets.push_back(offset);
+    }
+    return ruling;
+}
+
+struct Run {
+    int x, top, bottom; // rows of the line in this column
+};
+
+// The line's run of dark pixels in every column that has one near where it should be.
+std::vector<Run> runs_of(const Along<float>& page, const Ruling& ruling, int offset, int factor) {
+    std::vector<Run> runs;
+    const int breadth = page.breadth(), reach = factor + 2;
+    for (int x = 0; x < page.length(); ++x) {
+        const double searched = offset + ruling.slope * ((x + 0.5) / factor - 0.5 * page.length() / factor);
+        const int due = static_cast<int>(std::floor((searched + 0.5) * factor));
+        int peak = -1;
+        float most = faintest_line;
+        for (int y = std::max(0, due - reach); y <= std::min(breadth - 1, due + reach); ++y)
+            if (page(x, y) > most) most = page(x, y), peak = y;
+        if (peak < 0) continue;
+        Run run{x, peak, peak};
+        while (run.top > 0 && page(x, run.top - 1) >= 0.4f * most) --run.top;
+        while (run.bottom + 1 < breadth && page(x, run.bottom + 1) >= 0.4f * most) ++run.bottom;
+        runs.push_back(run);
+    }
+    return runs;
+}
+
+void erase(const Along<float>& page, const std::vector<Run>& runs) {
+    if (runs.empty()) return;
+    std::vector<int> thickness;
+    for (const Run& run : runs) thickness.push_back(run.bottom - run.top + 1);
+    const auto middle = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2);
+    std::nth_element(thickness.begin(), middle, thickness.end());
+    const int thickest = *middle + *middle / 2 + 1;
+    const int rim = 1; // the blurred edge
+    for (const Run& run : runs) {
+        if (run.bottom - run.top + 1 > thickest) continue; // something crosses here
+        const int above = run.top - rim - 1, below = run.bottom + rim + 1;
+        const float upper = above >= 0 ? page(run.x, above) : 0;
+        const float lower = below < page.breadth() ? page(run.x, below) : 0;
+        for (int y = std::max(0, above + 1); y <= std::min(page.breadth() - 1, below - 1); ++y)
+            page(run.x, y) = std::min(page(run.x, y), std::min(upper, lower));
+    }
+}
+
+} // namespace
+
+void remove_ruling(Grid<float>& distance) {
+    const int longer = std::max(distance.width(), distance.height());
+    const int factor = std::max(1, (longer + searched_size - 1) / searched_size);
+    for (const bool transposed : {false, true}) {
+        const Along<float> page(distance, transposed);
+        const int length = (page.length() + factor - 1) / factor, breadth = (page.breadth() + factor - 1) / factor;
+        const Ruling ruling = find_ruling(ridges(page, factor), length, breadth);
+        for (int offset : ruling.offsets) erase(page, runs_of(page, ruling, offset, factor));
+    }
+}
+
+} // namespace pantin
