@@ -21,27 +21,27 @@ VERSION := $(shell sed -n 's/^.define PANTIN_VERSION_[MP][A-Z]* //p' include/pan
 run = $(say_libraries)$(if $(filter 1,$(V)),,@printf '  %-4s %s\n' $(1) $@;)
 
 # --- optional libraries ----------------------------------------------------------------------------------------------------------
-# Each has one folder. All code that touches the library is in there, beside absent.cpp, which defines the same functions for a
-# build without it. One or the other is compiled: no macro, no other place. Callers ask X_available().
+# Each has a folder in each module that uses it. All code that touches the library is in there, beside absent.cpp, which defines the
+# same functions for a build without it. One or the other is compiled: no macro, no other place. Callers ask X_available().
 comma := ,
 LIBRARIES := GLPK WEBP GIF YAML PUGIXML CGAL
-GLPK_folder := src/identification/glpk
+GLPK_folders := src/identification/glpk
 GLPK_header := glpk.h
 GLPK_libs := -lglpk
-WEBP_folder := src/export/webp
+WEBP_folders := src/image/webp src/export/webp
 WEBP_header := webp/mux.h
 WEBP_libs := -lwebpmux -lwebpdemux -lwebp
-GIF_folder := src/export/gif
+GIF_folders := src/export/gif
 GIF_header := gif_lib.h
 GIF_libs := -lgif
-YAML_folder := src/core/yaml
+YAML_folders := src/core/yaml
 YAML_header := yaml-cpp/yaml.h
 YAML_libs := -lyaml-cpp
-PUGIXML_folder := src/modeling/pugixml
+PUGIXML_folders := src/modeling/pugixml
 PUGIXML_header := pugixml.hpp
 PUGIXML_libs := -lpugixml
 # Only tests compare with CGAL: the program never contains it, nothing installs it, and instrumenting it tells nothing.
-CGAL_folder := tests/modeling/cgal
+CGAL_folders := tests/modeling/cgal
 CGAL_header := CGAL/version.h
 CGAL_libs := -lmpfr -lgmp
 ifeq ($(config),sanitize)
@@ -126,9 +126,9 @@ $(BUILD)/src/image/load.o: cxxflags += -fwrapv
 $(BUILD)/tests/modeling/cgal/%.o: cxxflags += -O1 -frounding-math -Wno-unknown-warning-option -Wno-maybe-uninitialized
 
 # --- sources ---------------------------------------------------------------------------------------------------------------------
-left_out := $(foreach library,$(LIBRARIES),$($(library)_folder)/$(if $(filter 1,$($(library))),absent.cpp,%))
+left_out := $(foreach library,$(LIBRARIES),$(addsuffix /$(if $(filter 1,$($(library))),absent.cpp,%),$($(library)_folders)))
 left_out += $(if $(filter 1,$(STATIC)),,src/core/static_program/%)
-absent := $(foreach library,$(call with,0),$($(library)_folder)/absent.cpp)
+absent := $(foreach library,$(call with,0),$(addsuffix /absent.cpp,$($(library)_folders)))
 # $(call objects_of,FOLDERS): of all their sources, but for main.cpp
 objects_of = $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out %/main.cpp,$(filter-out $(left_out),$(sort $(wildcard \
     $(foreach folder,$(1),$(folder)/*.cpp $(folder)/*/*.cpp $(folder)/*/*/*.cpp)))) $(filter $(addsuffix /%,$(1)),$(absent))))

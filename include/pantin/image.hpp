@@ -19,12 +19,13 @@ inline constexpr int min_image_side = 16;
 inline constexpr int max_image_side = 16384;
 inline constexpr long max_image_pixels = 64'000'000;
 
-// Loads a PNG or JPEG page. EXIF orientation of a JPEG is applied, alpha is composited on white, 16-bit
-// samples keep their high byte. Dimensions and completeness are checked before anything is decoded: damaged
-// and truncated files are errors. Error(input) names the file. A character's drawing.png may be smaller than
-// a page: min_side 1, pixels. Own, over stb_image.
+// Loads a page: PNG, JPEG, WebP (in a build with libwebp), GIF or BMP; of an animation its first picture.
+// EXIF orientation is applied, alpha is composited on white, 16-bit samples keep their high byte. Dimensions
+// and completeness are checked before anything is decoded: damaged and truncated files are errors.
+// Error(input) names the file, and for another known format a command that converts it. A character's
+// drawing.png may be smaller than a page: min_side 1, pixels. Own, over stb_image and libwebp.
 RgbImage load_image(const std::filesystem::path& file, int min_side = min_image_side);
-// The same with its colours and alpha as they are (straight); opaque where the file has none. Own.
+// The same with its alpha (straight) instead of composited; 255 where the format has none.
 RgbaImage load_rgba(const std::filesystem::path& file, int min_side = min_image_side);
 // Colours over white paper. No error. Own.
 RgbImage composite_on_white(const RgbaImage& image);

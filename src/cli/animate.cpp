@@ -72,7 +72,8 @@ void add_animate(Command app) {
     Command command = app.subcommand("animate", "the whole pipeline: pages to animated characters");
     command
         .option("IMAGE", arguments->images,
-                "PNG or JPEG pages, or AnimatedDrawings character folders; several go to DIR/<name>/")
+                "pages (PNG, JPEG, WebP, GIF or BMP), or AnimatedDrawings character folders; several go to "
+                "DIR/<name>/")
         .required();
     command.option("-o,--output", arguments->out, "folder for the results").required();
     add_render_options(command, arguments->render);

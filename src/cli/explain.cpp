@@ -32,7 +32,9 @@ void add_explain(Command app) {
     const auto arguments = std::make_shared<Arguments>();
     Command command = app.subcommand(
         "explain", "the whole pipeline, and a page that shows what every step did: DIR/index.html");
-    command.option("IMAGE", arguments->image, "PNG or JPEG page, or AnimatedDrawings character folder")
+    command
+        .option("IMAGE", arguments->image,
+                "page (PNG, JPEG, WebP, GIF or BMP), or AnimatedDrawings character folder")
         .required();
     command.option("-o,--output", arguments->out, "folder for the results").required();
     add_render_options(command, arguments->render);

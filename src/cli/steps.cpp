@@ -26,7 +26,7 @@ int run_detect(const DetectArguments& arguments) {
 void add_detect(Command app) {
     const auto arguments = std::make_shared<DetectArguments>();
     Command command = app.subcommand("detect", "step 1: the page to characters");
-    command.option("IMAGE", arguments->image, "PNG or JPEG page").required();
+    command.option("IMAGE", arguments->image, "page: PNG, JPEG, WebP, GIF or BMP").required();
     command.option("-o,--output", arguments->out, "folder for the results").required();
     add_rotate_option(command, arguments->common);
     add_detector_option(command, arguments->common);

@@ -1,26 +1,20 @@
 // SPDX-License-Identifier: MIT
-// PNG: W3C "Portable Network Graphics (PNG) Specification (Second Edition)", sections 5.2–5.6 and annex D
-// (checksum). JPEG: ITU-T T.81 (1992), annex B (markers). EXIF: CIPA DC-008 (EXIF 2.3), section 4.6.
+// PNG: W3C "Portable Network Graphics (PNG) Specification (Third Edition)", sections 5.2–5.6, 11.3.2.5 (eXIf)
+// and annex D (checksum). JPEG: ITU-T T.81 (1992), annex B (markers). EXIF: CIPA DC-008 (EXIF 2.3),
+// section 4.6.
 #include "image/containers.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstring>
+
+#include "image/bmp.hpp"
+#include "image/bytes.hpp"
+#include "image/gif.hpp"
+#include "image/webp.hpp"
 
 namespace pantin {
 
 namespace {
-
-using Bytes = std::span<const unsigned char>;
-
-std::uint32_t big_endian_16(Bytes b, std::size_t at) { return (std::uint32_t{b[at]} << 8) | b[at + 1]; }
-std::uint32_t big_endian_32(Bytes b, std::size_t at) {
-    return (big_endian_16(b, at) << 16) | big_endian_16(b, at + 2);
-}
-
-bool starts_with(Bytes bytes, const char* text, std::size_t length) {
-    return bytes.size() >= length && std::memcmp(bytes.data(), text, length) == 0;
-}
 
 // --- PNG ---------------------------------------------------------------------------------------------------
 
@@ -35,26 +29,26 @@ constexpr std::array<std::uint32_t, 256> make_crc_table() {
 }
 constexpr std::array<std::uint32_t, 256> crc_table = make_crc_table();
 
-std::uint32_t crc(Bytes bytes) {
+std::uint32_t crc(ByteView bytes) {
     std::uint32_t c = 0xffffffffu;
     for (unsigned char byte : bytes) c = crc_table[(c ^ byte) & 0xff] ^ (c >> 8);
     return c ^ 0xffffffffu;
 }
 
-constexpr std::size_t png_signature_length = 8;
+constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
 
 // Walks the chunks: length, type, data, checksum; the first is IHDR, the last IEND.
-ContainerInfo read_png(Bytes bytes) {
+ContainerInfo read_png(ByteView bytes) {
     ContainerInfo info;
     info.kind = Container::png;
-    std::size_t at = png_signature_length;
+    std::size_t at = png_signature.size();
     bool first = true;
     while (true) {
         if (bytes.size() - at < 12) return info.problem = "the PNG ends early (truncated)", info;
         const std::size_t length = big_endian_32(bytes, at);
-        const Bytes type = bytes.subspan(at + 4, 4);
+        const ByteView type = bytes.subspan(at + 4, 4);
         if (first) {
-            if (std::memcmp(type.data(), "IHDR", 4) != 0 || length != 13 || bytes.size() - at < 25)
+            if (!has_at(type, 0, "IHDR") || length != 13 || bytes.size() - at < 25)
                 return info.problem = "the PNG has no header", info;
             info.width = big_endian_32(bytes, at + 8);
             info.height = big_endian_32(bytes, at + 12);
@@ -63,7 +57,8 @@ ContainerInfo read_png(Bytes bytes) {
         if (length > bytes.size() - at - 12) return info.problem = "the PNG ends early (truncated)", info;
         if (crc(bytes.subspan(at + 4, length + 4)) != big_endian_32(bytes, at + 8 + length))
             return info.problem = "the PNG is damaged (a checksum does not match)", info;
-        if (std::memcmp(type.data(), "IEND", 4) == 0) return info;
+        if (has_at(type, 0, "IEND")) return info;
+        if (has_at(type, 0, "eXIf")) info.orientation = exif_orientation(bytes.subspan(at + 8, length));
         at += length + 12;
     }
 }
@@ -78,7 +73,7 @@ bool is_frame_header(unsigned marker) {
 
 // Whether a define-Huffman-table segment (B.2.4.2) holds whole tables of at most 256 codes. stb_image does
 // not look before it writes them into arrays of that size.
-bool huffman_tables_fit(Bytes segment) {
+bool huffman_tables_fit(ByteView segment) {
     while (!segment.empty()) {
         if (segment.size() < 17) return false;
         std::size_t codes = 0;
@@ -91,7 +86,7 @@ bool huffman_tables_fit(Bytes segment) {
 
 // Position of the next marker's 0xff at or after `at` (in entropy-coded data 0xff00 and restarts are no
 // markers).
-std::size_t next_marker(Bytes bytes, std::size_t at) {
+std::size_t next_marker(ByteView bytes, std::size_t at) {
     for (; at + 1 < bytes.size(); ++at)
         if (bytes[at] == 0xff && bytes[at + 1] != 0x00 && bytes[at + 1] != 0xff && !is_restart(bytes[at + 1]))
             return at;
@@ -99,7 +94,7 @@ std::size_t next_marker(Bytes bytes, std::size_t at) {
 }
 
 // Walks the markers up to the end-of-image marker; without it the file is truncated.
-ContainerInfo read_jpeg(Bytes bytes) {
+ContainerInfo read_jpeg(ByteView bytes) {
     ContainerInfo info;
     info.kind = Container::jpeg;
     bool oriented = false;
@@ -115,14 +110,14 @@ ContainerInfo read_jpeg(Bytes bytes) {
             const std::size_t left = bytes.size() - at;
             const std::size_t length = left < 2 ? 0 : big_endian_16(bytes, at);
             if (length < 2 || length > left) break;
-            const Bytes segment = bytes.subspan(at + 2, length - 2);
+            const ByteView segment = bytes.subspan(at + 2, length - 2);
             if (marker == 0xc4 && !huffman_tables_fit(segment))
                 return info.problem = "the JPEG is damaged (a Huffman table)", info;
             if (is_frame_header(marker) && segment.size() >= 5 && info.width == 0) {
                 info.height = big_endian_16(segment, 1);
                 info.width = big_endian_16(segment, 3);
             }
-            if (marker == 0xe1 && !oriented && starts_with(segment, "Exif\0\0", 6)) {
+            if (marker == 0xe1 && !oriented && has_at(segment, 0, std::string_view("Exif\0\0", 6))) {
                 info.orientation = exif_orientation(segment.subspan(6));
                 oriented = true;
             }
@@ -136,7 +131,7 @@ ContainerInfo read_jpeg(Bytes bytes) {
 
 } // namespace
 
-int exif_orientation(Bytes tiff) {
+int exif_orientation(ByteView tiff) {
     if (tiff.size() < 8) return 1;
     const bool little = tiff[0] == 'I' && tiff[1] == 'I';
     if (!little && !(tiff[0] == 'M' && tiff[1] == 'M')) return 1;
@@ -162,9 +157,12 @@ int exif_orientation(Bytes tiff) {
     return 1;
 }
 
-ContainerInfo read_container(Bytes bytes) {
-    if (starts_with(bytes, "\x89PNG\r\n\x1a\n", png_signature_length)) return read_png(bytes);
-    if (starts_with(bytes, "\xff\xd8\xff", 3)) return read_jpeg(bytes);
+ContainerInfo read_container(ByteView bytes) {
+    if (has_at(bytes, 0, png_signature)) return read_png(bytes);
+    if (has_at(bytes, 0, "\xff\xd8\xff")) return read_jpeg(bytes);
+    if (has_at(bytes, 0, "RIFF") && has_at(bytes, 8, "WEBP")) return read_webp(bytes);
+    if (has_at(bytes, 0, "GIF87a") || has_at(bytes, 0, "GIF89a")) return read_gif(bytes);
+    if (is_bmp(bytes)) return read_bmp(bytes);
     return {};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What stands in the containers around the pixels of a PNG or JPEG file: dimensions, orientation, and whether
-// the file is whole. stb_image decodes damaged files without complaint (it checks no PNG checksum and pads a
+// What stands in the containers around the pixels of a picture file: dimensions, orientation, and whether the
+// file is whole. stb_image decodes damaged files without complaint (it checks no PNG checksum and pads a
 // truncated JPEG with grey), so the containers are walked here first, with every read bounds-checked.
 #pragma once
 
@@ -10,12 +10,12 @@
 
 namespace pantin {
 
-enum class Container { unknown, png, jpeg };
+enum class Container { unknown, png, jpeg, webp, gif, bmp };
 
 struct ContainerInfo {
     Container kind = Container::unknown;
     std::uint32_t width = 0, height = 0; // as in the header, before orientation
-    int orientation = 1;                 // EXIF tag 0x0112 of a JPEG, 1 … 8
+    int orientation = 1;                 // EXIF tag 0x0112 of a PNG, JPEG or WebP, 1 … 8
     std::string problem; // empty when the file is whole, else what is wrong: "ends early", …
 };
 

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
-// PNG or JPEG bytes in, pixels out: checked by containers.cpp, decoded by stb_image, turned by its EXIF
-// orientation.
+// The bytes of a picture file in, pixels out: checked by containers.cpp, decoded by stb_image (PNG, JPEG),
+// libwebp or our own code (GIF, BMP), turned by its EXIF orientation.
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <string>
 
 #include "core/file.hpp"
+#include "image/bmp.hpp"
+#include "image/bytes.hpp"
 #include "image/containers.hpp"
+#include "image/gif.hpp"
+#include "image/other_formats.hpp"
 #include "image/stb.hpp"
+#include "image/webp.hpp"
 #include "pantin/image.hpp"
 
 #define STB_IMAGE_IMPLEMENTATION
@@ -24,17 +30,18 @@ struct FreePixels {
 };
 using Pixels = std::unique_ptr<unsigned char, FreePixels>;
 
-using Bytes = std::span<const unsigned char>;
-
 [[noreturn]] void invalid(const std::string& source, const std::string& fact) {
     throw Error(ErrorKind::input, source + ": " + fact);
 }
 
 // Everything that can be known before a pixel is decoded: kind, dimensions, completeness.
-ContainerInfo check_container(const std::string& source, Bytes bytes, int min_side) {
+ContainerInfo check_container(const std::string& source, ByteView bytes, int min_side) {
     if (bytes.empty()) invalid(source, "is empty");
     const ContainerInfo info = read_container(bytes);
-    if (info.kind == Container::unknown) invalid(source, "is neither a PNG nor a JPEG image");
+    if (info.kind == Container::unknown) {
+        const std::string known = other_format(bytes, source);
+        invalid(source, known.empty() ? "is neither a PNG, JPEG, WebP, GIF nor BMP image" : known);
+    }
     const std::string size = std::to_string(info.width) + "x" + std::to_string(info.height);
     const auto side_limit = static_cast<std::uint32_t>(max_image_side);
     if (info.width > side_limit || info.height > side_limit)
@@ -42,6 +49,9 @@ ContainerInfo check_container(const std::string& source, Bytes bytes, int min_si
     if (std::uint64_t{info.width} * info.height > static_cast<std::uint64_t>(max_image_pixels))
         invalid(source, "is " + size + " pixels; the limit is " +
                             std::to_string(max_image_pixels / 1'000'000) + " megapixels");
+    if (info.kind == Container::webp && !webp_pictures_available())
+        invalid(source, "is a WebP image, and this pantin was built without WebP (make WEBP=1); " +
+                            convert_it("dwebp IN -o OUT", source));
     if (!info.problem.empty()) invalid(source, info.problem);
     const auto smallest = static_cast<std::uint32_t>(min_side);
     if (info.width < smallest || info.height < smallest)
@@ -49,40 +59,41 @@ ContainerInfo check_container(const std::string& source, Bytes bytes, int min_si
     return info;
 }
 
-Pixels decode(const std::string& source, Bytes bytes, const ContainerInfo& info, int channels) {
+// stb_image: 16-bit samples keep their high byte, palettes are looked up.
+RgbaImage decode_png_or_jpeg(const std::string& source, ByteView bytes) {
     int width = 0, height = 0, in_file = 0;
     stbi__g_failure_reason = nullptr; // not that of the picture before
-    Pixels pixels(stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height,
-                                        &in_file, channels));
+    const Pixels pixels(stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height,
+                                              &in_file, STBI_rgb_alpha));
     if (!pixels) {
         const char* reason = stbi_failure_reason(); // null where the decoder gives none
         invalid(source, std::string("cannot be decoded: ") + (reason ? reason : "its data is damaged"));
     }
-    if (static_cast<std::uint32_t>(width) != info.width || static_cast<std::uint32_t>(height) != info.height)
+    RgbaImage image(width, height);
+    std::memcpy(image.data(), pixels.get(), image.size() * sizeof(Rgba8));
+    return image;
+}
+
+// The picture as it is stored; its container was checked.
+RgbaImage decode(const std::string& source, ByteView bytes, const ContainerInfo& info) {
+    RgbaImage image;
+    if (info.kind == Container::webp)
+        image = decode_webp_picture(bytes);
+    else if (info.kind == Container::gif)
+        image = decode_gif_picture(bytes);
+    else if (info.kind == Container::bmp)
+        image = decode_bmp_picture(bytes);
+    else
+        image = decode_png_or_jpeg(source, bytes);
+    if (image.size() == 0) invalid(source, "cannot be decoded: its data is damaged");
+    if (static_cast<std::uint32_t>(image.width()) != info.width ||
+        static_cast<std::uint32_t>(image.height()) != info.height)
         invalid(source, "cannot be decoded: its headers disagree on the dimensions");
-    return pixels;
+    return image;
 }
 
 std::uint8_t over_white(unsigned value, unsigned alpha) {
     return static_cast<std::uint8_t>((value * alpha + 255 * (255 - alpha) + 127) / 255);
-}
-
-RgbImage composite_on_white(const unsigned char* rgba, int width, int height) {
-    RgbImage image(width, height);
-    for (Rgb8& pixel : image) {
-        pixel = {over_white(rgba[0], rgba[3]), over_white(rgba[1], rgba[3]), over_white(rgba[2], rgba[3])};
-        rgba += 4;
-    }
-    return image;
-}
-
-RgbImage copy_rgb(const unsigned char* rgb, int width, int height) {
-    RgbImage image(width, height);
-    for (Rgb8& pixel : image) {
-        pixel = {rgb[0], rgb[1], rgb[2]};
-        rgb += 3;
-    }
-    return image;
 }
 
 // Turns the stored picture upright. EXIF 2.3, tag 0x0112: where the stored row 0 and column 0 belong.
@@ -164,42 +175,24 @@ RgbImage composite_on_white(const RgbaImage& image) {
     return out;
 }
 
-RgbaImage load_rgba(const std::filesystem::path& file, int min_side) {
-    const std::vector<unsigned char> bytes = read_file(file);
-    const ContainerInfo info = check_container(file.string(), bytes, min_side);
-    if (info.kind == Container::png) return decode_rgba(bytes, file.string());
-    const RgbImage opaque = decode_image(bytes, file.string(), min_side);
-    RgbaImage image(opaque.width(), opaque.height());
-    for (std::size_t i = 0; i < image.size(); ++i) {
-        const Rgb8 p = opaque.data()[i];
-        image.data()[i] = {p.r, p.g, p.b, 255};
-    }
-    return image;
-}
-
-RgbImage decode_image(Bytes bytes, const std::string& source, int min_side) {
+namespace {
+RgbaImage decode_upright(ByteView bytes, const std::string& source, int min_side) {
     const ContainerInfo info = check_container(source, bytes, min_side);
-    const int width = static_cast<int>(info.width), height = static_cast<int>(info.height);
-    if (info.kind == Container::png) // 16-bit samples keep their high byte, palettes are looked up
-        return composite_on_white(decode(source, bytes, info, STBI_rgb_alpha).get(), width, height);
-    return apply_orientation(copy_rgb(decode(source, bytes, info, STBI_rgb).get(), width, height),
-                             info.orientation);
+    return apply_orientation(decode(source, bytes, info), info.orientation);
+}
+} // namespace
+
+RgbImage decode_image(ByteView bytes, const std::string& source, int min_side) {
+    return composite_on_white(decode_upright(bytes, source, min_side));
 }
 
-RgbaImage decode_rgba(Bytes bytes, const std::string& source) {
+RgbaImage decode_rgba(ByteView bytes, const std::string& source) {
     const ContainerInfo info = check_container(source, bytes, 1);
     if (info.kind != Container::png) invalid(source, "is not a PNG image");
-    const Pixels pixels = decode(source, bytes, info, STBI_rgb_alpha);
-    RgbaImage image(static_cast<int>(info.width), static_cast<int>(info.height));
-    const unsigned char* rgba = pixels.get();
-    for (Rgba8& pixel : image) {
-        pixel = {rgba[0], rgba[1], rgba[2], rgba[3]};
-        rgba += 4;
-    }
-    return image;
+    return decode(source, bytes, info);
 }
 
-GreyImage decode_grey(Bytes bytes, const std::string& source) {
+GreyImage decode_grey(ByteView bytes, const std::string& source) {
     const RgbaImage stored = decode_rgba(bytes, source);
     GreyImage image(stored.width(), stored.height());
     auto value = image.begin();
@@ -212,6 +205,10 @@ GreyImage decode_grey(Bytes bytes, const std::string& source) {
 
 RgbImage load_image(const std::filesystem::path& file, int min_side) {
     return decode_image(read_file(file), file.string(), min_side);
+}
+
+RgbaImage load_rgba(const std::filesystem::path& file, int min_side) {
+    return decode_upright(read_file(file), file.string(), min_side);
 }
 
 GreyImage load_grey(const std::filesystem::path& file) { return decode_grey(read_file(file), file.string()); }
