@@ -25,6 +25,8 @@ constexpr double light_ink_share = 0.2;
 
 // A filled area is at least this far from the paper, and this many times the paper's own noise.
 constexpr float faintest_fill = 0.05f, fill_over_noise = 3;
+constexpr float blur_contrast = 2;  // an edge at half of what is near it …
+constexpr int blur_reach = 2;       // … within so many pixels
 constexpr float opaque_darkness = 0.2f; // least of what is opaque on a page without paper
 
 RgbImage inverted(RgbImage page) {
@@ -116,14 +118,23 @@ float noise_of(const Grid<float>& distance, const Paper& paper) {
     return *middle;
 }
 
+// Whether a pixel near by is so much darker that this one may be the blurred edge of its stroke.
+bool is_blurred_edge(const Grid<float>& distance, int x, int y) {
+    const float limit = blur_contrast * distance(x, y);
+    for (int v = y - blur_reach; v <= y + blur_reach; ++v)
+        for (int u = x - blur_reach; u <= x + blur_reach; ++u)
+            if (distance.value_or(u, v, 0.0f) > limit) return true;
+    return false;
+}
+
 // Filled areas: connected pixels away from the paper that hold a block without bare paper.
 Mask find_fills(const Grid<float>& distance, const Paper& paper) {
     const float least = std::max(faintest_fill, fill_over_noise * noise_of(distance, paper));
     Mask away(distance.width(), distance.height());
-    std::transform(distance.begin(), distance.end(), away.begin(),
-                   [&](float d) -> std::uint8_t { return d >= least; });
-    // Grain and the blurred edges of strokes are no areas.
-    away = open_disc(away, 1.5);
+    for (int y = 0; y < away.height(); ++y)
+        for (int x = 0; x < away.width(); ++x)
+            away(x, y) = distance(x, y) >= least && !is_blurred_edge(distance, x, y);
+    away = open_disc(away, 1.5); // grain is no area
     const Components pieces = connected_components(away);
     std::vector<char> filled(pieces.list.size() + 1, 0);
     for (int y = 0; y < away.height(); ++y)
