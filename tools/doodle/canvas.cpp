@@ -96,8 +96,20 @@ Hand random_hand(Random& r, const DoodleOptions& options) {
     return hand;
 }
 
+Hand natural_hand(const Hand& hand, Random& r) {
+    static const std::vector<Colour> natural = {{250, 215, 50},  {245, 150, 40}, {225, 60, 50},
+                                                {90, 170, 70},   {80, 150, 220}, {140, 90, 55},
+                                                {150, 150, 155}, {240, 145, 175}};
+    Hand out = hand;
+    out.paints = natural;
+    for (Colour& paint : out.paints)
+        for (float& c : paint) c = std::clamp(c + static_cast<float>(r.uniform(-25, 25)), 0.0f, 255.0f);
+    out.coloured_lines = hand.filling != Filling::none && r.chance(0.4);
+    return out;
+}
+
 std::string place_figure(Figure& figure, Random& r, Box area, const DoodleOptions& options) {
-    const bool mirror = r.chance(0.5);
+    const bool mirror = r.chance(0.5) && figure.may_mirror;
     const double turn =
         figure.max_tilt * options.tilt * (figure.max_tilt < 1.0 ? 0.5 * r.normal() : r.uniform(-1.0, 1.0));
     const double tilt = std::clamp(turn, -figure.max_tilt, figure.max_tilt), aspect = r.uniform(0.85, 1.18);

@@ -37,6 +37,8 @@ struct Hand {
     bool coloured_lines = false; // lines in the paint of their part
 };
 Hand random_hand(Random& random, const DoodleOptions& options);
+// The hand as it draws things: with crayons of their natural colours (things.hpp), one for each.
+Hand natural_hand(const Hand& hand, Random& random);
 
 struct Layer {
     Grid<Colour> ink; // on white

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "doodle/canvas.hpp"
+#include "doodle/things.hpp"
 #include "pantin/error.hpp"
 
 namespace pantin::doodle {
@@ -19,15 +20,23 @@ const std::vector<std::string>& common_species(const std::string& type) {
     return type == "humanoid" ? people : type == "quadruped" ? animals : birds;
 }
 
+const std::string& checked(const std::vector<std::string>& species, const std::string& name,
+                           const std::string& type) {
+    if (std::find(species.begin(), species.end(), name) == species.end())
+        throw Error(ErrorKind::usage, "no species '" + name + "' of type " + type);
+    return name;
+}
+
 Figure build_figure(Random& random, const std::string& type, const std::string& wanted) {
     const std::vector<std::string> species = species_of(type);
     if (species.empty()) return build_decoy(random, type);
+    if (type == "thing")
+        return build_thing(random, wanted.empty() ? random.pick(species) : checked(species, wanted, type));
     // Half of the drawings are of what people draw most.
     const std::string common = random.pick(common_species(type)), any = random.pick(species);
     const std::string& drawn = random.chance(0.5) ? common : any;
     const std::string& name = wanted.empty() ? drawn : wanted;
-    if (std::find(species.begin(), species.end(), name) == species.end())
-        throw Error(ErrorKind::usage, "no species '" + name + "' of type " + type);
+    checked(species, name, type);
     if (type == "humanoid") return build_humanoid(random, name);
     if (type == "quadruped") return build_quadruped(random, name);
     return build_flyer(random, name);
@@ -55,7 +64,8 @@ Drawn draw_alone(const std::string& what, Random& random, const Hand& hand, cons
     drawn.character.type = type;
     drawn.character.species = figure.species;
     drawn.character.pose = place_figure(figure, random, area, options);
-    drawn.layer = draw_figure(figure, hand, random, options.width, options.height);
+    drawn.layer = draw_figure(figure, type == "thing" ? natural_hand(hand, random) : hand, random,
+                              options.width, options.height);
     drawn.character.box = label_box(drawn.layer.labels);
     return drawn;
 }
@@ -71,6 +81,7 @@ std::vector<std::string> species_of(const std::string& type) {
     if (type == "humanoid") return humanoid_species();
     if (type == "quadruped") return quadruped_species();
     if (type == "flying") return flyer_species();
+    if (type == "thing") return thing_species();
     if (type == "head" || type == "blob" || type == "scribble") return {};
     throw Error(ErrorKind::usage, "unknown type of doodle '" + type + "'");
 }

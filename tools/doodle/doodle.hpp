@@ -26,7 +26,7 @@ struct DoodleOptions {
 };
 
 struct Character {
-    std::string type;    // humanoid, quadruped, flying; or head, blob, scribble: no character at all
+    std::string type;    // humanoid, quadruped, flying; or head, blob, scribble, thing: no character at all
     std::string species; // what was drawn, e.g. "dog"
     std::string pose;    // the way it faces on the page: E, NE, N, NW, W, SW, S, SE
     Box box;             // smallest box of its label pixels
