@@ -96,8 +96,20 @@ Hand random_hand(Random& r, const DoodleOptions& options) {
     return hand;
 }
 
+Hand natural_hand(const Hand& hand, Random& r) {
+    static const std::vector<Colour> natural = {{250, 215, 50},  {245, 150, 40}, {225, 60, 50},
+                                                {90, 170, 70},   {80, 150, 220}, {140, 90, 55},
+                                                {150, 150, 155}, {240, 145, 175}};
+    Hand out = hand;
+    out.paints = natural;
+    for (Colour& paint : out.paints)
+        for (float& c : paint) c = std::clamp(c + static_cast<float>(r.uniform(-25, 25)), 0.0f, 255.0f);
+    out.coloured_lines = hand.filling != Filling::none && r.chance(0.4);
+    return out;
+}
+
 std::string place_figure(Figure& figure, Random& r, Box area, const DoodleOptions& options) {
-    const bool mirror = r.chance(0.5);
+    const bool mirror = r.chance(0.5) && figure.may_mirror;
     const double turn =
         figure.max_tilt * options.tilt * (figure.max_tilt < 1.0 ? 0.5 * r.normal() : r.uniform(-1.0, 1.0));
     const double tilt = std::clamp(turn, -figure.max_tilt, figure.max_tilt), aspect = r.uniform(0.85, 1.18);
@@ -127,8 +139,7 @@ class Draughtsman {
 public:
     Draughtsman(const Figure& figure, const Hand& hand, Random& random, int width, int height)
         : figure_(figure), hand_(hand), random_(random), width_(width),
-          height_(height), layer_{Grid<Colour>(width, height, Colour{255, 255, 255}),
-                                  LabelMap(width, height)},
+          height_(height), layer_{Grid<Colour>(width, height, hand.ground), LabelMap(width, height)},
           top_(width, height, -1) {}
 
     Layer draw() {
@@ -213,13 +224,14 @@ private:
     }
 
     const Colour& line_colour(const Part& part) const {
+        if (part.kind == PartKind::mark && hand_.second_ink) return *hand_.second_ink;
         if (!hand_.coloured_lines || part.kind == PartKind::mark) return hand_.ink;
         return hand_.paints[static_cast<std::size_t>(part.paint) % hand_.paints.size()];
     }
 
     // One crayon after the other, wherever its parts are on top.
     void colour_parts() {
-        const bool whole = random_.chance(0.7); // or only some crayons
+        const bool whole = random_.chance(0.7) || hand_.fill_all; // or only some crayons
         const int paints = static_cast<int>(hand_.paints.size());
         for (int paint = 0; paint < paints; ++paint) {
             if (!(whole || random_.chance(0.5))) continue;
@@ -241,8 +253,9 @@ private:
         if (part.solid) {
             const bool all = std::all_of(part.outline.points.begin(), part.outline.points.end(),
                                          [&](Point2d p) { return visible(i, p); });
-            if (all) fill_ink(layer_, part.outline.points, hand_, hand_.ink);
+            if (all) fill_ink(layer_, part.outline.points, hand_, hand_.second_ink.value_or(hand_.ink));
         }
+        if (part.kind == PartKind::region && !hand_.outlines) return;
         std::vector<char> shown(n);
         for (std::size_t k = 0; k < n; ++k)
             shown[k] = !part.outline.undrawn[k] && visible(i, part.outline.points[k]);

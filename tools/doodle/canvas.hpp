@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "doodle/doodle.hpp"
 #include "doodle/figure.hpp"
@@ -33,13 +34,19 @@ struct Hand {
     double gap = 0.1;       // probability that a stroke is interrupted
     double again = 0.05;    // probability that a stroke is drawn twice
     Filling filling = Filling::none;
-    std::vector<Colour> paints;  // per Part::paint
-    bool coloured_lines = false; // lines in the paint of their part
+    std::vector<Colour> paints;       // per Part::paint
+    bool coloured_lines = false;      // lines in the paint of their part
+    bool fill_all = false;            // every part is coloured in
+    bool outlines = true;             // closed areas have a line around them
+    Colour ground{255, 255, 255};     // what is drawn on
+    std::optional<Colour> second_ink; // of marks: faces, patterns
 };
 Hand random_hand(Random& random, const DoodleOptions& options);
+// The hand as it draws things: with crayons of their natural colours (things.hpp), one for each.
+Hand natural_hand(const Hand& hand, Random& random);
 
 struct Layer {
-    Grid<Colour> ink; // on white
+    Grid<Colour> ink; // on the hand's ground
     LabelMap labels;
 };
 
@@ -72,5 +79,7 @@ enum class Finish {
 Finish random_finish(Random& random, const DoodleOptions& options);
 // Multiplies the ink onto a paper (paper.cpp).
 RgbImage on_paper(const Grid<Colour>& ink, Random& random, Finish finish);
+// A view (0 … 255) through a camera: uneven light, softness, noise.
+RgbImage under_camera(Grid<Colour> view, Random& random);
 
 } // namespace pantin::doodle

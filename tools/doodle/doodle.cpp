@@ -6,6 +6,9 @@
 #include <cmath>
 
 #include "doodle/canvas.hpp"
+#include "doodle/composition.hpp"
+#include "doodle/looks.hpp"
+#include "doodle/things.hpp"
 #include "pantin/error.hpp"
 
 namespace pantin::doodle {
@@ -19,43 +22,60 @@ const std::vector<std::string>& common_species(const std::string& type) {
     return type == "humanoid" ? people : type == "quadruped" ? animals : birds;
 }
 
+const std::string& checked(const std::vector<std::string>& species, const std::string& name,
+                           const std::string& type) {
+    if (std::find(species.begin(), species.end(), name) == species.end())
+        throw Error(ErrorKind::usage, "no species '" + name + "' of type " + type);
+    return name;
+}
+
 Figure build_figure(Random& random, const std::string& type, const std::string& wanted) {
     const std::vector<std::string> species = species_of(type);
     if (species.empty()) return build_decoy(random, type);
+    if (type == "thing")
+        return build_thing(random, wanted.empty() ? random.pick(species) : checked(species, wanted, type));
     // Half of the drawings are of what people draw most.
     const std::string common = random.pick(common_species(type)), any = random.pick(species);
     const std::string& drawn = random.chance(0.5) ? common : any;
     const std::string& name = wanted.empty() ? drawn : wanted;
-    if (std::find(species.begin(), species.end(), name) == species.end())
-        throw Error(ErrorKind::usage, "no species '" + name + "' of type " + type);
+    checked(species, name, type);
     if (type == "humanoid") return build_humanoid(random, name);
     if (type == "quadruped") return build_quadruped(random, name);
     return build_flyer(random, name);
 }
 
-void check_size(int width, int height) {
-    if (width < 64 || height < 64)
+} // namespace
+
+void check_size(const DoodleOptions& options) {
+    if (options.width < 64 || options.height < 64)
         throw Error(ErrorKind::usage, "a doodle is at least 64 pixels wide and high");
 }
+
+Figure build_named(Random& random, const std::string& what) {
+    const std::size_t colon = what.find(':');
+    return build_figure(random, what.substr(0, colon),
+                        colon == std::string::npos ? "" : what.substr(colon + 1));
+}
+
+namespace {
 
 struct Drawn {
     Layer layer;
     Character character;
 };
 
-// `what` is a type or type:species.
 Drawn draw_alone(const std::string& what, Random& random, const Hand& hand, const DoodleOptions& options) {
-    const std::size_t colon = what.find(':');
-    const std::string type = what.substr(0, colon);
-    const std::string species = colon == std::string::npos ? options.species : what.substr(colon + 1);
-    Figure figure = build_figure(random, type, species);
+    const bool whole_name = options.species.empty() || what.find(':') != std::string::npos;
+    Figure figure = build_named(random, whole_name ? what : what + ":" + options.species);
+    const std::string type = figure.type;
     const int margin = std::max(4, static_cast<int>(1.5 * hand.pen + hand.overshoot));
     const Box area{margin, margin, options.width - 2 * margin, options.height - 2 * margin};
     Drawn drawn;
     drawn.character.type = type;
     drawn.character.species = figure.species;
     drawn.character.pose = place_figure(figure, random, area, options);
-    drawn.layer = draw_figure(figure, hand, random, options.width, options.height);
+    drawn.layer = draw_figure(figure, type == "thing" ? natural_hand(hand, random) : hand, random,
+                              options.width, options.height);
     drawn.character.box = label_box(drawn.layer.labels);
     return drawn;
 }
@@ -71,17 +91,21 @@ std::vector<std::string> species_of(const std::string& type) {
     if (type == "humanoid") return humanoid_species();
     if (type == "quadruped") return quadruped_species();
     if (type == "flying") return flyer_species();
+    if (type == "thing") return thing_species();
     if (type == "head" || type == "blob" || type == "scribble") return {};
     throw Error(ErrorKind::usage, "unknown type of doodle '" + type + "'");
 }
 
 Doodle draw_character(const std::string& type, std::uint64_t seed, const DoodleOptions& options) {
-    check_size(options.width, options.height);
-    Random style = Random::stream(seed, 0), figure = Random::stream(seed, 1), paper = Random::stream(seed, 2);
-    const Hand hand = random_hand(style, options);
+    check_size(options);
+    Random style = Random::stream(seed, 0), figure = Random::stream(seed, 1), paper = Random::stream(seed, 2),
+           look = Random::stream(seed, 3);
+    Hand hand = random_hand(style, options);
+    apply_look(options.look, hand, look);
     Drawn drawn = draw_alone(type, figure, hand, options);
     Doodle doodle;
     static_cast<Character&>(doodle) = drawn.character;
+    print_lines(options.look, hand, drawn.layer.ink, look);
     const Finish finish = random_finish(paper, options);
     doodle.picture = on_paper(drawn.layer.ink, paper, finish);
     doodle.labels = std::move(drawn.layer.labels);
@@ -89,7 +113,7 @@ Doodle draw_character(const std::string& type, std::uint64_t seed, const DoodleO
 }
 
 Page draw_page(const std::vector<std::string>& types, std::uint64_t seed, const DoodleOptions& options) {
-    check_size(options.width, options.height);
+    check_size(options);
     const int count = std::max(1, static_cast<int>(types.size()));
     // The grid whose cells are most nearly square.
     int columns = 1;
@@ -102,12 +126,13 @@ Page draw_page(const std::vector<std::string>& types, std::uint64_t seed, const 
         if (badness < best) best = badness, columns = c;
     }
     const int rows = (count + columns - 1) / columns;
-    Random style = Random::stream(seed, 0), paper = Random::stream(seed, 2);
+    Random style = Random::stream(seed, 0), paper = Random::stream(seed, 2), look = Random::stream(seed, 3);
     DoodleOptions cell = options;
     cell.width = std::max(64, options.width / columns), cell.height = std::max(64, options.height / rows);
-    const Hand hand = random_hand(style, cell);
+    Hand hand = random_hand(style, cell);
+    apply_look(options.look, hand, look);
     Page page;
-    Grid<Colour> ink(options.width, options.height, Colour{255, 255, 255});
+    Grid<Colour> ink(options.width, options.height, hand.ground);
     page.labels = LabelMap(options.width, options.height);
     page.instances = GreyImage(options.width, options.height);
     for (std::size_t i = 0; i < types.size(); ++i) {
@@ -126,6 +151,7 @@ Page draw_page(const std::vector<std::string>& types, std::uint64_t seed, const 
         drawn.character.box.x += left, drawn.character.box.y += top;
         page.characters.push_back(drawn.character);
     }
+    print_lines(options.look, hand, ink, look);
     const Finish finish = random_finish(paper, options);
     page.picture = on_paper(ink, paper, finish);
     return page;

@@ -4,6 +4,7 @@
 // seed, to the bit, on any machine.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -23,10 +24,11 @@ struct DoodleOptions {
     double gaps = 1.0;    // how much the outlines are interrupted (0: never, 1: as people do)
     double tilt = 1.0;    // how much figures are turned (0: upright)
     std::string species;  // one of species_of(type); empty: random
+    std::string look; // one of looks(); empty: a pen on white, photographed or on paper by the shares above
 };
 
 struct Character {
-    std::string type;    // humanoid, quadruped, flying; or head, blob, scribble: no character at all
+    std::string type;    // humanoid, quadruped, flying; or head, blob, scribble, thing: no character at all
     std::string species; // what was drawn, e.g. "dog"
     std::string pose;    // the way it faces on the page: E, NE, N, NW, W, SW, S, SE
     Box box;             // smallest box of its label pixels
@@ -44,10 +46,15 @@ struct Page {
     LabelMap labels;
     GreyImage instances; // 0 paper, k + 1 where characters[k] is
     std::vector<Character> characters;
+    std::vector<Character> things; // of a scene: what has no label, with the box of its ink
 };
 
 // The types with parts: humanoid, quadruped, flying.
 const std::vector<std::string>& character_types();
+// crayon (filled in, pale or strong), no-outline (areas on an even ground), tinted (even coloured paper),
+// grid (ruled, up to as dark as the pen), chalk (light on a dark board), kraft (brown paper, dark or white
+// ink or both).
+const std::vector<std::string>& looks();
 // The species that a type is drawn as; empty for head, blob and scribble. Throws Error(usage) for another
 // type.
 std::vector<std::string> species_of(const std::string& type);
@@ -57,6 +64,21 @@ Doodle draw_character(const std::string& type, std::uint64_t seed, const DoodleO
 // Characters side by side in a loose grid; they never overlap. An entry is a type or type:species, such as
 // quadruped:horse.
 Page draw_page(const std::vector<std::string>& types, std::uint64_t seed, const DoodleOptions& options = {});
+
+// What children draw: family (two to four people, at times a dog or cat and a bird) or animals, on the ground
+// and in the sky, with things around them. Throws Error(usage) for another kind.
+const std::vector<std::string>& scene_kinds();
+Page draw_scene(const std::string& kind, std::uint64_t seed, const DoodleOptions& options = {});
+
+// A page as a sheet on a desk, seen from the side.
+struct DeskPhoto {
+    Page page; // picture, labels, instances and boxes as the camera has them
+    std::array<Point2d, 4>
+        corners; // of the sheet in the photograph: upper left, upper right, lower right, lower left
+};
+// The size of the flat sheet, an A4 across or upright, for a photograph of these options' size.
+DoodleOptions sheet_options(const DoodleOptions& options);
+DeskPhoto on_desk(const Page& flat, std::uint64_t seed, int width, int height);
 
 // A baseline JPEG, as a camera writes it; quality 1 … 100.
 std::vector<unsigned char> encode_jpeg(const RgbImage& picture, int quality = 85);

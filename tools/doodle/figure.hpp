@@ -35,6 +35,7 @@ struct Figure {
     double heading =
         0.0; // the way it faces on the page, as an angle: 0 right, π/2 down (towards us), −π/2 up
     double max_tilt = 0.12; // how far it may be turned
+    bool may_mirror = true; // writing may not
     std::vector<Part> parts;
     std::vector<std::pair<int, int>> merged;      // no line between the two: their outline flows
     std::vector<std::pair<int, int>> see_through; // both lines are drawn where the two overlap

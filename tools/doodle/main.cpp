@@ -22,7 +22,8 @@ struct Arguments {
     std::string folder;
     int count = 100, first = 0;
     std::uint64_t seed = 1;
-    std::string type = "mixed", types, format = "png";
+    std::string type = "mixed", types, scene, format = "png";
+    bool desk = false;
     int per_page = 1, size = 320, height = 0;
     doodle::DoodleOptions options;
 };
@@ -61,32 +62,47 @@ void save_picture(const Arguments& a, const std::string& id, const RgbImage& pic
     if (!out.flush()) throw Error(ErrorKind::output, file.string() + ": cannot be written");
 }
 
+// A page of one character, of several, or a scene.
+doodle::Page draw(const Arguments& a, const std::vector<std::string>& types, std::uint64_t seed,
+                  const doodle::DoodleOptions& options) {
+    if (!a.scene.empty()) return doodle::draw_scene(a.scene, seed, options);
+    if (types.size() > 1) return doodle::draw_page(types, seed, options);
+    const doodle::Doodle d = doodle::draw_character(types.front(), seed, options);
+    return {d.picture, d.labels, foreground(d.labels), {d}, {}};
+}
+
 Json write_page(const Arguments& a, int index) {
     const std::uint64_t seed = a.seed * 1'000'003u + static_cast<std::uint64_t>(index);
     const std::vector<std::string> types = types_of_page(a, index);
     const std::filesystem::path folder = a.folder;
     const std::string id = name_of_page(index);
     Json row = {{"id", id}, {"seed", seed}, {"width", a.options.width}, {"height", a.options.height}};
-    if (types.size() == 1) {
-        const doodle::Doodle d = doodle::draw_character(types.front(), seed, a.options);
-        save_picture(a, id, d.picture);
-        save_png(folder / "label" / (id + ".png"), d.labels);
-        row.update(describe(d));
-        return row;
+    doodle::Page page = draw(a, types, seed, a.desk ? doodle::sheet_options(a.options) : a.options);
+    if (a.desk) {
+        save_png(folder / "flat" / (id + ".png"), page.picture);
+        doodle::DeskPhoto photo = doodle::on_desk(page, seed, a.options.width, a.options.height);
+        page = std::move(photo.page);
+        for (const Point2d& corner : photo.corners) row["corners"].push_back({corner.x, corner.y});
     }
-    const doodle::Page page = doodle::draw_page(types, seed, a.options);
     save_picture(a, id, page.picture);
     save_png(folder / "label" / (id + ".png"), page.labels);
+    if (types.size() == 1 && a.scene.empty()) {
+        row.update(describe(page.characters.front()));
+        return row;
+    }
     save_png(folder / "instance" / (id + ".png"), page.instances);
     row["characters"] = Json::array();
     for (const doodle::Character& c : page.characters) row["characters"].push_back(describe(c));
+    for (const doodle::Character& c : page.things) row["things"].push_back(describe(c));
     return row;
 }
 
 void run(const Arguments& a) {
     const std::filesystem::path folder = a.folder;
     for (const char* part : {"image", "label"}) std::filesystem::create_directories(folder / part);
-    if (a.per_page > 1 || !a.types.empty()) std::filesystem::create_directories(folder / "instance");
+    if (a.per_page > 1 || !a.types.empty() || !a.scene.empty())
+        std::filesystem::create_directories(folder / "instance");
+    if (a.desk) std::filesystem::create_directories(folder / "flat");
     std::ofstream index(folder / "index.ndjson", std::ios::binary);
     for (int i = a.first; i < a.first + a.count; ++i) index << write_page(a, i).dump() << '\n';
     index.flush();
@@ -103,11 +119,20 @@ int main(int argc, char** argv) {
     app.add_option("--count", a.count, "drawings")->check(CLI::Range(1, 1'000'000));
     app.add_option("--first", a.first, "number of the first drawing")->check(CLI::Range(0, 100'000'000));
     app.add_option("--seed", a.seed, "everything follows from it");
-    app.add_option("--type", a.type, "humanoid, quadruped, flying, mixed, head, blob or scribble")
-        ->check(CLI::IsMember({"humanoid", "quadruped", "flying", "mixed", "head", "blob", "scribble"}));
+    app.add_option("--type", a.type, "humanoid, quadruped, flying, mixed, head, blob, scribble or thing")
+        ->check(
+            CLI::IsMember({"humanoid", "quadruped", "flying", "mixed", "head", "blob", "scribble", "thing"}));
     app.add_option("--species", a.options.species, "what exactly, e.g. dog");
     app.add_option("--per-page", a.per_page, "characters on one page")->check(CLI::Range(1, 64));
     app.add_option("--types", a.types, "what is on every page, e.g. humanoid,quadruped:dog,head");
+    app.add_option("--scene", a.scene,
+                   "a page as children draw it: family or animals, with things around them")
+        ->check(CLI::IsMember(doodle::scene_kinds()));
+    app.add_flag("--desk", a.desk,
+                 "photographs of sheets on a desk; the sheet itself in OUT/flat, its corners in the index");
+    app.add_option("--look", a.options.look,
+                   "crayon, no-outline, tinted, grid, chalk or kraft; default: a pen on white")
+        ->check(CLI::IsMember(doodle::looks()));
     app.add_option("--format", a.format, "of the pictures: png or jpg")->check(CLI::IsMember({"png", "jpg"}));
     app.add_option("--paper", a.options.paper, "share of the others that are on tinted or ruled paper")
         ->check(CLI::Range(0.0, 1.0));

@@ -128,6 +128,17 @@ RgbImage rounded(const Grid<Colour>& image) {
     return out;
 }
 
+void add_noise(Grid<Colour>& page, double noise, std::uint64_t seed) {
+    for (int y = 0; y < page.height(); ++y)
+        for (int x = 0; x < page.width(); ++x) {
+            const double common = noise * (pixel_noise(x, y, seed + 1) + pixel_noise(x, y, seed + 2) - 1.0);
+            const double tint = 0.4 * noise * (pixel_noise(x, y, seed + 3) - 0.5);
+            Colour& c = page(x, y);
+            c = {static_cast<float>(c[0] + common + tint), static_cast<float>(c[1] + common),
+                 static_cast<float>(c[2] + common - tint)};
+        }
+}
+
 RgbImage scanned(const Grid<Colour>& ink, Random& r) {
     const double brightness = r.uniform(228, 252);
     const Colour sheet = sheet_colour(brightness, r.uniform(-0.02, 0.12));
@@ -158,14 +169,7 @@ RgbImage photographed(const Grid<Colour>& ink, Random& r) {
         }
     soften(page, static_cast<float>(r.uniform(0.2, 1.0)));
     if (r.chance(0.3)) soften(page, 1.0f);
-    for (int y = 0; y < h; ++y)
-        for (int x = 0; x < w; ++x) {
-            const double common = noise * (pixel_noise(x, y, seed + 1) + pixel_noise(x, y, seed + 2) - 1.0);
-            const double tint = 0.4 * noise * (pixel_noise(x, y, seed + 3) - 0.5);
-            Colour& c = page(x, y);
-            c = {static_cast<float>(c[0] + common + tint), static_cast<float>(c[1] + common),
-                 static_cast<float>(c[2] + common - tint)};
-        }
+    add_noise(page, noise, seed);
     return rounded(page);
 }
 
@@ -174,6 +178,20 @@ RgbImage photographed(const Grid<Colour>& ink, Random& r) {
 Finish random_finish(Random& r, const DoodleOptions& options) {
     const bool photo = r.chance(options.photo), paper = r.chance(options.paper);
     return photo ? Finish::photo : paper ? Finish::paper : Finish::screen;
+}
+
+RgbImage under_camera(Grid<Colour> view, Random& r) {
+    const Light light = random_light(r);
+    const double exposure = r.uniform(0.8, 1.05), noise = r.uniform(0.5, 5.0);
+    const std::uint64_t seed = r.next();
+    for (int y = 0; y < view.height(); ++y)
+        for (int x = 0; x < view.width(); ++x)
+            for (float& c : view(x, y))
+                c *= static_cast<float>(exposure *
+                                        light.at(2.0 * x / view.width() - 1, 2.0 * y / view.height() - 1));
+    soften(view, static_cast<float>(r.uniform(0.2, 1.0)));
+    add_noise(view, noise, seed);
+    return rounded(view);
 }
 
 RgbImage on_paper(const Grid<Colour>& ink, Random& r, Finish finish) {

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Training data: precomputed shards of (darkness, labels) pairs, and the augmentation that the training loop adds.
 
-usage: dataset.py DATA OUT --source {label_maps,strokes,spg,doodle} [--rounds N] [--seed S]
-DATA is the folder of the real drawings (its README describes it); for doodle the folder that tools/doodle wrote. Writes OUT/<source>_<k>.npy, uint8 (n, 2, 320, 320): darkness
+usage: dataset.py DATA OUT --source {label_maps,strokes,spg,doodle,people,things} [--rounds N] [--seed S]
+DATA is the folder of the real drawings (its README describes it); for doodle, people (its humanoids) and things the folder that tools/doodle wrote. Writes OUT/<source>_<k>.npy, uint8 (n, 2, 320, 320): darkness
 (0 paper, 255 ink) and part labels (255: not judged), and OUT/<source>_<k>.json with expert and pose of each.
 Drawings of fold 0 (DATA/split.py, held_out) never get in.
 """
@@ -25,6 +25,9 @@ SIZE = 320
 GROUND, WINGED, UNKNOWN = 0, 1, 255
 EXPERT = {"humanoid": GROUND, "quadruped": GROUND, "flying": WINGED}
 FACING = {"left": "W", "right": "E", "front": "S", "back": "N"}
+THINGS = ("sun", "moon", "star", "cloud", "rain", "rainbow", "balloon", "heart", "house", "tree", "fir", "flower", "grass line",
+          "grass tuft", "hill", "mountain", "fence", "car", "boat", "ball", "table", "arrow", "frame", "word", "sentence", "scrawl",
+          "signature")
 SPG = {"pig": (GROUND, 400), "ant": (GROUND, 220), "crab": (GROUND, 150), "butterfly": (WINGED, 260), "duck": (WINGED, 300)}
 
 
@@ -122,10 +125,14 @@ def from_doodle(folder, rng, rounds):
         picture = cv2.imread(f"{folder}/image/{row['id']}.png")[:, :, ::-1]
         labels = cv2.imread(f"{folder}/label/{row['id']}.png", cv2.IMREAD_GRAYSCALE)
         darkness = (tone.ink_darkness(picture) * 255 + 0.5).astype(np.uint8)
-        yield darkness, labels, EXPERT[row["type"]], pose_index(row["pose"])
+        if row["type"] == "thing":                                # no labels; the species in the place of the expert
+            yield darkness, labels, THINGS.index(row["species"]), UNKNOWN
+        else:
+            yield darkness, labels, EXPERT[row["type"]], pose_index(row["pose"])
 
 
-SOURCES = {"label_maps": from_label_maps, "strokes": from_strokes, "spg": from_spg, "doodle": from_doodle}
+SOURCES = {"label_maps": from_label_maps, "strokes": from_strokes, "spg": from_spg, "doodle": from_doodle, "people": from_doodle,
+           "things": from_doodle}
 
 
 def write_shards(out, source, samples, shard=250):

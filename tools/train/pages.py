@@ -3,9 +3,9 @@
 """Pages of several characters for the detector, composed from the shards of dataset.py: random place, size and rotation, never overlapping,
 with stray marks, ruled lines and the look of a photograph at times.
 
-usage: pages.py DATA OUT [--count 200] [--clean] [--erase 0.0] [--seed 1]
+usage: pages.py DATA OUT [--count 200] [--clean | --things SHARDS] [--erase 0.0] [--seed 1]
 writes a dataset for `pantin evaluate` from the held-out drawings (fold 0), at 1.7 times the training size. --clean: one character, upright,
-on white paper.
+on white paper. --things: pages of scenes.py, with the things of these shards around the characters.
 """
 import argparse
 import json
@@ -23,7 +23,10 @@ LONGER = 384
 def character(shards, rng):
     """ink (h, w) uint8 and mask (h, w) bool of one drawing, cut to its box."""
     ink, labels, _, _ = shards.draw(rng)
-    mask = labels > 0
+    return cut(ink, labels > 0)
+
+
+def cut(ink, mask):
     ys, xs = np.nonzero(cv2.dilate(mask.astype(np.uint8), np.ones((9, 9), np.uint8)))
     box = np.s_[ys.min():ys.max() + 1, xs.min():xs.max() + 1]
     return np.asarray(ink[box]), mask[box]
@@ -136,16 +139,21 @@ def main():
     parser.add_argument("out")
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--clean", action="store_true")
+    parser.add_argument("--things")
     parser.add_argument("--erase", type=float, default=0.0)
     parser.add_argument("--seed", type=int, default=1)
     args = parser.parse_args()
     rng, drawings = np.random.default_rng(args.seed), HeldOut(args.data, args.erase)
+    if args.things:
+        import scenes
+        things = scenes.Things(args.things)
     for part in ("image", "label", "instance"):
         os.makedirs(f"{args.out}/{part}", exist_ok=True)
     with open(f"{args.out}/index.ndjson", "w") as index:
         number = 0
         while number < args.count:
-            ink, masks = compose(drawings, rng, int(1.7 * LONGER), args.clean)
+            longer = int(1.7 * LONGER)
+            ink, masks = scenes.compose(drawings, things, rng, longer) if args.things else compose(drawings, rng, longer, args.clean)
             if len(masks) == 0:
                 continue
             name = f"{number:03d}"

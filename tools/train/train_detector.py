@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: MIT
 """Trains the compact Mask R-CNN (backbones.py) on composed pages (pages.py), on the processor, within a given time.
 
-usage: train_detector.py SHARDS OUT --minutes M [--resume CHECKPOINT] [--rate 1e-3] [--batch 6] [--seed 1]
+usage: train_detector.py SHARDS OUT --minutes M [--resume CHECKPOINT | --start detector.safetensors] [--rate 1e-3] [--batch 6] [--seed 1]
+                         [--scenes 0.55]
        train_detector.py --export CHECKPOINT detector.safetensors      (F16, the moving average of the weights)
-The loop is loop.py's. Writes OUT/last.pt every few minutes.
+The loop is loop.py's. Writes OUT/last.pt every few minutes. --start: weights alone, of a former training. --scenes: share of pages with
+things that are no characters (scenes.py; SHARDS must have some).
 """
 import sys
 
@@ -16,7 +18,12 @@ import dataset
 import export
 import loop
 import pages
+import scenes
 from train import SHARES
+
+
+# The real drawings are mostly of animals; what children draw is mostly people.
+SHARES = {**SHARES, "people": 0.3}
 
 
 def targets(masks):
@@ -46,17 +53,34 @@ def write_weights(checkpoint, path):
     export.write_safetensors(path, export.tensors_of(model, "F16"), {"model": "pantin.mask_rcnn", "version": "1", **facts})
 
 
+def start_from(model, path):
+    """the tensors of a weight file; torch's counters of batches are not in it."""
+    tensors, _ = export.read_safetensors(path)
+    missing, unexpected = model.load_state_dict({name: torch.from_numpy(value.copy()) for name, value in tensors.items()}, strict=False)
+    if unexpected or any(not name.endswith("num_batches_tracked") for name in missing):
+        raise SystemExit(f"{path}: not the weights of this network")
+
+
 def main():
+    def more(parser):
+        parser.add_argument("--start")
+        parser.add_argument("--scenes", type=float, default=0.55)
     if sys.argv[1:2] == ["--export"]:
         return write_weights(sys.argv[2], sys.argv[3])
-    args = loop.parse(__doc__, 1.5e-3, 6)
+    args = loop.parse(__doc__, 1.5e-3, 6, more)
     shards = dataset.Shards(args.shards, SHARES)
+    things = scenes.Things(args.shards) if args.scenes > 0 else None
     model = new_model()[0].train()
+    if args.start:
+        start_from(model, args.start)
+
+    def page(rng):
+        return scenes.compose(shards, things, rng) if rng.random() < args.scenes else pages.compose(shards, rng)
 
     def losses_of(model, rng):
-        composed = [pages.compose(shards, rng) for _ in range(args.batch)]
+        composed = [page(rng) for _ in range(args.batch)]
         return model([torch.from_numpy(ink)[None] for ink, _ in composed], [targets(masks) for _, masks in composed])
-    loop.train(model, losses_of, args, weight_decay=0.01, clip=5.0, decay=0.995, report=25, facts={})
+    loop.train(model, losses_of, args, weight_decay=0.01, clip=5.0, decay=0.995, report=25, facts={}, after_report=shards.refresh)
 
 
 if __name__ == "__main__":
