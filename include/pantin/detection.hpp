@@ -23,6 +23,9 @@ struct DetectionOptions {
         512; // longer side of the working crop at most; `thesis`: 321 (its network's input, ch. 5)
     int max_characters = 64; // a page with more keeps the ones with the largest boxes
 
+    // A sheet on a photograph of a desk is found and flattened first (pantin/sheet.hpp). `thesis`: never.
+    bool flatten_sheet = true;
+
     // Ink. Shares of the darkness of the darkest strokes (ink_darkness).
     double ink_contrast = 0.15;    // a stroke is darker than the local mean by this
     double lightest_stroke = 0.38; // and at least this dark itself

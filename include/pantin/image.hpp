@@ -74,6 +74,7 @@ struct PageInk {
     Mask fills;                 // filled areas, pale ones too
     bool light_on_dark = false; // chalk on a board; a page in colours is turned round before a network sees it
     bool cut_out = false;       // a figure without paper: what is opaque is drawn
+    double bare_border = 1;     // share of the page's border that is bare paper
 };
 
 // 1. Light on dark, when the ground is dull and more of the page is lighter than darker than it: turned round.

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "pantin/detection.hpp"
+#include "pantin/sheet.hpp"
 
 namespace pantin {
 
@@ -22,7 +24,8 @@ inline constexpr const char* unfinished_status = "unfinished";
 
 struct Page {
     std::string source;                    // file name of the picture
-    int rotate = 0;                        // degrees by which the picture was first turned clockwise
+    std::optional<SheetCorners> sheet;     // in the picture, if it shows more than the sheet; first flattened
+    int rotate = 0;                        // degrees by which it was then turned clockwise
     int width = 0, height = 0;             // after that, pixels
     std::string detector = "contour";      // or "mask-rcnn", or "given"
     std::vector<PageCharacter> characters; // left to right, then top to bottom

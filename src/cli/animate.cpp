@@ -82,6 +82,7 @@ void add_animate(Command app) {
     add_override_options(command, arguments->overrides);
     add_motion_options(command, arguments->common);
     add_animated_drawings_option(command, arguments->common);
+    add_only_option(command, arguments->common);
     add_rotate_option(command, arguments->common);
     add_detector_option(command, arguments->common);
     add_common_options(command, arguments->common);

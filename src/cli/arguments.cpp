@@ -40,6 +40,9 @@ Option Command::option(const std::string& names, int& value, const std::string& 
 Option Command::option(const std::string& names, double& value, const std::string& description) {
     return Option(app_->add_option(names, value, description));
 }
+Option Command::option(const std::string& names, std::vector<int>& values, const std::string& description) {
+    return Option(app_->add_option(names, values, description)->allow_extra_args(false));
+}
 Option Command::option(const std::string& names, std::vector<std::string>& values,
                        const std::string& description) {
     return Option(app_->add_option(names, values, description));

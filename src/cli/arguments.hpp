@@ -65,6 +65,8 @@ public:
     Option option(const std::string& names, int& value, const std::string& description);
     Option option(const std::string& names, double& value, const std::string& description);
     Option option(const std::string& names, std::vector<std::string>& values, const std::string& description);
+    // One word a time: what follows is not taken for a further value.
+    Option option(const std::string& names, std::vector<int>& values, const std::string& description);
     Option flag(const std::string& names, bool& value, const std::string& description);
     // What the command does when the user chose it.
     void run(const Run& action);

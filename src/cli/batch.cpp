@@ -82,6 +82,12 @@ void set_config(CommonOptions& options, const JsonReader& value) {
 using Set = void (*)(PageOptions&, const JsonReader&);
 
 // The keys are the long options of `animate`, with _ for -; `formats` is a list.
+std::vector<int> numbers_of(const JsonReader& reader) {
+    std::vector<int> numbers;
+    for (const JsonReader& number : reader.elements()) numbers.push_back(static_cast<int>(number.integer(1, 64)));
+    return numbers;
+}
+
 const std::map<std::string, Set>& keys() {
     static const std::map<std::string, Set> all = {
         {"image", [](PageOptions& o, const JsonReader& v) { o.image = name_of(v); }},
@@ -96,6 +102,7 @@ const std::map<std::string, Set>& keys() {
         {"motion", [](PageOptions& o, const JsonReader& v) { o.common.motion = text_of(v); }},
         {"blend", [](PageOptions& o, const JsonReader& v) { o.common.blend = v.boolean(); }},
         {"rotate", [](PageOptions& o, const JsonReader& v) { o.common.rotate = rotation_of(v); }},
+        {"only", [](PageOptions& o, const JsonReader& v) { o.common.only = numbers_of(v); }},
         {"trace", [](PageOptions& o, const JsonReader& v) { o.common.trace = v.boolean(); }},
         {"animated_drawings",
          [](PageOptions& o, const JsonReader& v) { o.common.animated_drawings = v.boolean(); }},

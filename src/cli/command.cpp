@@ -84,6 +84,13 @@ void add_rotate_option(Command command, CommonOptions& options) {
         .one_of({0, 90, 180, 270});
 }
 
+void add_only_option(Command command, CommonOptions& options) {
+    command
+        .option("--only", options.only,
+                "numbers of the characters to animate, as in page.png, e.g. 1,3 (default: all)")
+        .separated_by(',');
+}
+
 void add_motion_options(Command command, CommonOptions& options) {
     command.flag("--blend", options.blend, "between two types: the clips of both, mixed by their confidence");
     command.option("--motion", options.motion,
@@ -133,6 +140,7 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
     settings.motion = options.motion;
     settings.blend = options.blend;
     settings.rotate = options.rotate;
+    settings.only = options.only;
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
     settings.threads = options.threads > 0 ? options.threads : static_cast<int>(std::min(cores, 256u));
     settings.trace = options.trace;

@@ -17,6 +17,7 @@ struct CommonOptions {
     std::string config_text; // a configuration at hand instead of in a file (of `batch`)
     int threads = 0;         // 0: all cores
     int rotate = 0;
+    std::vector<int> only;
     bool trace = false, quiet = false, animated_drawings = false, blend = false;
 };
 struct RenderFlags {
@@ -29,6 +30,7 @@ struct RenderFlags {
 
 void add_common_options(Command command, CommonOptions& options);
 void add_detector_option(Command command, CommonOptions& options);          // of the commands that detect
+void add_only_option(Command command, CommonOptions& options);
 void add_rotate_option(Command command, CommonOptions& options);            // of those that read a page
 void add_motion_options(Command command, CommonOptions& options);           // of those that move a character
 void add_animated_drawings_option(Command command, CommonOptions& options); // of those that rig

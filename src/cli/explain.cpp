@@ -40,6 +40,7 @@ void add_explain(Command app) {
     add_render_options(command, arguments->render);
     add_override_options(command, arguments->overrides);
     add_motion_options(command, arguments->common);
+    add_only_option(command, arguments->common);
     add_rotate_option(command, arguments->common);
     add_detector_option(command, arguments->common);
     add_common_options(command, arguments->common);

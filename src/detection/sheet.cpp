@@ -25,8 +25,6 @@ constexpr double least_contrast = 0.1; // of the sheet's brightness, from inside
 constexpr double border = 0.015;       // of the longer side: what is this near to the picture's border ends there
 constexpr double margin = 0.006;       // of the sheet's sides that is cut off: its edge and its shadow
 
-double cross(Point2d a, Point2d b) { return a.x * b.y - a.y * b.x; }
-
 double area_of(const std::vector<Point2d>& polygon) {
     double twice = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i)

@@ -6,6 +6,7 @@ namespace pantin::file_names {
 
 // A page's folder.
 inline constexpr const char* page = "page.json";
+inline constexpr const char* overview = "page.png";
 inline constexpr const char* scene = "scene"; // and the ending of a film
 inline constexpr const char* walkthrough = "index.html";
 

@@ -27,11 +27,24 @@ PageCharacter read_page_character(const JsonReader& reader) {
     return character;
 }
 
+// Four points [x, y].
+SheetCorners read_sheet(const JsonReader& reader) {
+    SheetCorners corners;
+    const std::vector<JsonReader> points = reader.elements(4, 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::vector<JsonReader> xy = points[i].elements(2, 2);
+        corners[i] = {xy[0].number(-max_side, 2 * max_side), xy[1].number(-max_side, 2 * max_side)};
+    }
+    return corners;
+}
+
 } // namespace
 
 std::string page_to_json(const Page& page) {
     Json json;
     json["source"] = page.source;
+    if (page.sheet)
+        for (Point2d corner : *page.sheet) json["sheet"].push_back(Json::array({corner.x, corner.y}));
     if (page.rotate != 0) json["rotate"] = page.rotate;
     json["width"] = page.width;
     json["height"] = page.height;
@@ -56,6 +69,7 @@ Page page_from_json(const std::string& text, const std::string& file) {
     const JsonReader reader(json, file);
     Page page;
     page.source = reader.at("source").text();
+    if (reader.has("sheet")) page.sheet = read_sheet(reader.at("sheet"));
     if (reader.has("rotate")) page.rotate = read_int(reader.at("rotate"), 0, 270);
     page.width = read_int(reader.at("width"), 1, max_side);
     page.height = read_int(reader.at("height"), 1, max_side);

@@ -118,6 +118,18 @@ float noise_of(const Grid<float>& distance, const Paper& paper) {
     return *middle;
 }
 
+double bare_border(const Paper& paper) {
+    const Mask& bare = paper.bare;
+    long border = 0, paper_blocks = 0;
+    for (int y = 0; y < bare.height(); ++y)
+        for (int x = 0; x < bare.width(); ++x) {
+            if (x > 0 && y > 0 && x + 1 < bare.width() && y + 1 < bare.height()) continue;
+            ++border;
+            paper_blocks += bare(x, y);
+        }
+    return static_cast<double>(paper_blocks) / static_cast<double>(border);
+}
+
 // Whether a pixel near by is so much darker that this one may be the blurred edge of its stroke.
 bool is_blurred_edge(const Grid<float>& distance, int x, int y) {
     const float limit = blur_contrast * distance(x, y);
@@ -155,6 +167,7 @@ PageInk find_page_ink(const RgbImage& page) {
     const RgbImage turned = ink.light_on_dark ? inverted(page) : page;
     const Paper paper = estimate_paper(turned);
     ink.darkness = distance_from(turned, paper);
+    ink.bare_border = bare_border(paper);
     remove_ruling(ink.darkness);
     ink.fills = find_fills(ink.darkness, paper);
     normalise(ink.darkness);

@@ -14,7 +14,9 @@ namespace {
 
 constexpr int searched_size = 1024;    // longer side of the grid on which lines are searched
 constexpr double steepest = 0.06;      // slope against the page's sides
-constexpr float faintest_line = 0.04f; // a line is this much darker than both of its sides
+// A line is this much darker than both of its sides; lines as dark as possible are looked for first, so that
+// what is left of a shadow does not lie between them.
+constexpr float line_contrasts[] = {0.32f, 0.16f, 0.08f, 0.04f};
 constexpr double long_line = 0.5;      // of the page's side are covered by a line,
 constexpr double known_line = 0.25;    // or so much where the spacing says that one is due
 constexpr int fewest_lines = 3;
@@ -39,13 +41,13 @@ struct Place {
 };
 
 // Where a pixel is darker than both sides, in pixels of the searched grid.
-std::vector<Place> ridges(const Along<float>& page, int factor) {
+std::vector<Place> ridges(const Along<float>& page, int factor, float contrast) {
     const int reach = std::max(4, std::max(page.length(), page.breadth()) / 100);
     const int length = (page.length() + factor - 1) / factor, breadth = (page.breadth() + factor - 1) / factor;
     Mask found(length, breadth);
     for (int y = 0; y < page.breadth(); ++y)
         for (int x = 0; x < page.length(); ++x) {
-            const float d = page(x, y) - faintest_line;
+            const float d = page(x, y) - contrast;
             if (d <= 0) continue;
             if ((y < reach || page(x, y - reach) <= d) &&
                 (y + reach >= page.breadth() || page(x, y + reach) <= d))
@@ -151,14 +153,15 @@ struct Run {
 };
 
 // The line's run of dark pixels in every column that has one near where it should be.
-std::vector<Run> runs_of(const Along<float>& page, const Ruling& ruling, int offset, int factor) {
+std::vector<Run> runs_of(const Along<float>& page, const Ruling& ruling, int offset, int factor,
+                         float contrast) {
     std::vector<Run> runs;
     const int breadth = page.breadth(), reach = factor + 2;
     for (int x = 0; x < page.length(); ++x) {
         const double searched = offset + ruling.slope * ((x + 0.5) / factor - 0.5 * page.length() / factor);
         const int due = static_cast<int>(std::floor((searched + 0.5) * factor));
         int peak = -1;
-        float most = faintest_line;
+        float most = contrast;
         for (int y = std::max(0, due - reach); y <= std::min(breadth - 1, due + reach); ++y)
             if (page(x, y) > most) most = page(x, y), peak = y;
         if (peak < 0) continue;
@@ -170,13 +173,19 @@ std::vector<Run> runs_of(const Along<float>& page, const Ruling& ruling, int off
     return runs;
 }
 
-void erase(const Along<float>& page, const std::vector<Run>& runs) {
-    if (runs.empty()) return;
+// The lower quartile: where nothing crosses them.
+int line_thickness(const std::vector<std::vector<Run>>& lines) {
     std::vector<int> thickness;
-    for (const Run& run : runs) thickness.push_back(run.bottom - run.top + 1);
-    const auto middle = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2);
-    std::nth_element(thickness.begin(), middle, thickness.end());
-    const int thickest = *middle + *middle / 2 + 1;
+    for (const std::vector<Run>& runs : lines)
+        for (const Run& run : runs) thickness.push_back(run.bottom - run.top + 1);
+    if (thickness.empty()) return 0;
+    const auto quartile = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 4);
+    std::nth_element(thickness.begin(), quartile, thickness.end());
+    return *quartile;
+}
+
+void erase(const Along<float>& page, const std::vector<Run>& runs, int thickness) {
+    const int thickest = thickness + thickness / 2 + 1;
     const int rim = 1; // the blurred edge
     for (const Run& run : runs) {
         if (run.bottom - run.top + 1 > thickest) continue; // something crosses here
@@ -188,17 +197,25 @@ void erase(const Along<float>& page, const std::vector<Run>& runs) {
     }
 }
 
+// Takes out the lines of one direction.
+void remove_lines(const Along<float>& page, int factor, float contrast) {
+    const int length = (page.length() + factor - 1) / factor,
+              breadth = (page.breadth() + factor - 1) / factor;
+    const Ruling ruling = find_ruling(ridges(page, factor, contrast), length, breadth);
+    std::vector<std::vector<Run>> lines;
+    for (int offset : ruling.offsets) lines.push_back(runs_of(page, ruling, offset, factor, contrast));
+    const int thickness = line_thickness(lines);
+    for (const std::vector<Run>& runs : lines) erase(page, runs, thickness);
+}
+
 } // namespace
 
 void remove_ruling(Grid<float>& distance) {
     const int longer = std::max(distance.width(), distance.height());
     const int factor = std::max(1, (longer + searched_size - 1) / searched_size);
-    for (const bool transposed : {false, true}) {
-        const Along<float> page(distance, transposed);
-        const int length = (page.length() + factor - 1) / factor, breadth = (page.breadth() + factor - 1) / factor;
-        const Ruling ruling = find_ruling(ridges(page, factor), length, breadth);
-        for (int offset : ruling.offsets) erase(page, runs_of(page, ruling, offset, factor));
-    }
+    for (const bool transposed : {false, true})
+        for (const float contrast : line_contrasts)
+            remove_lines(Along<float>(distance, transposed), factor, contrast);
 }
 
 } // namespace pantin

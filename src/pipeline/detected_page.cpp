@@ -14,6 +14,7 @@
 #include "pantin/image.hpp"
 #include "pipeline/former_run.hpp"
 #include "pipeline/overrides.hpp"
+#include "pipeline/overview.hpp"
 
 namespace pantin {
 
@@ -31,9 +32,22 @@ Detection detect_on(const RgbImage& picture, const PageInk& ink, const fs::path&
     }
 }
 
+constexpr double least_bare_border = 0.4; // of the picture's border is paper, or the picture shows more
+
+// Numbers of characters that the page does not have.
+void check_choice(const std::vector<int>& only, const Page& page, const fs::path& image) {
+    const int count = static_cast<int>(page.characters.size());
+    for (int number : only)
+        if (number < 1 || number > count)
+            throw Error(ErrorKind::usage, "--only " + std::to_string(number) + ": " + image.string() + " has " +
+                                              std::to_string(count) +
+                                              (count == 1 ? " character" : " characters"));
+}
+
 struct Upright {
     RgbImage picture;
     PageInk ink;
+    std::optional<SheetCorners> sheet;
 };
 
 // A transparent ground: most of the picture's border is.
@@ -49,18 +63,34 @@ bool is_cut_out(const RgbaImage& picture) {
 }
 
 // The picture as it is to be read, and its ink. Of a cut-out the colours are kept as they are, on white.
-Upright load_upright(const fs::path& file, int rotate) {
+// Of a photograph the sheet alone, unless masks or labels of the picture's size are given.
+Upright load_upright(const fs::path& file, const Settings& settings, bool flattens) {
+    const int rotate = settings.rotate;
     const RgbaImage loaded = load_rgba(file, min_image_side);
     if (!is_cut_out(loaded)) {
-        RgbImage picture = turned(composite_on_white(loaded), rotate);
+        RgbImage picture = composite_on_white(loaded);
+        std::optional<SheetCorners> sheet;
+        if (flattens) sheet = find_sheet(picture);
+        if (sheet) picture = flattened(picture, *sheet);
+        picture = turned(std::move(picture), rotate);
         PageInk ink = find_page_ink(picture);
-        return {std::move(picture), std::move(ink)};
+        return {std::move(picture), std::move(ink), sheet};
     }
     const RgbaImage cut_out = turned(loaded, rotate);
     RgbImage picture(cut_out.width(), cut_out.height(), Rgb8{255, 255, 255});
     for (std::size_t i = 0; i < picture.size(); ++i)
         if (const Rgba8 p = cut_out.data()[i]; is_opaque(p)) picture.data()[i] = {p.r, p.g, p.b};
-    return {std::move(picture), find_cut_out_ink(cut_out)};
+    return {std::move(picture), find_cut_out_ink(cut_out), std::nullopt};
+}
+
+// What a person should know before looking at the result.
+void tell_of_paper(const fs::path& image, const Upright& upright, bool given, const Context& context) {
+    if (upright.sheet)
+        context.notice(image.string() + ": shows a sheet of paper on something else; the sheet alone is read");
+    else if (!given && !upright.ink.cut_out && upright.ink.bare_border < least_bare_border)
+        context.notice(image.string() +
+                       ": only part of the picture seems to be paper, and no whole sheet is in sight: crop the "
+                       "picture to the paper");
 }
 
 // The folder with its own name, also for "." and "character-1/".
@@ -75,8 +105,10 @@ fs::path resolved(const fs::path& folder) {
 AnimatedPage detect_characters(const fs::path& image, Context& context) {
     const Settings& settings = context.settings();
     AnimatedPage result;
-    const Upright upright = load_upright(picture_of(image), settings.rotate);
-    result.picture = upright.picture;
+    Upright upright =
+        load_upright(picture_of(image), settings,
+                     context.options().detection.flatten_sheet && !has_given_character(image, settings));
+    result.picture = std::move(upright.picture);
     std::optional<GivenCharacter> given =
         given_character(result.picture, upright.ink, image, settings, context.options().detection);
     Detection detection;
@@ -84,10 +116,12 @@ AnimatedPage detect_characters(const fs::path& image, Context& context) {
         detection.characters.push_back(std::move(given->detected));
     else
         detection = detect_on(result.picture, upright.ink, image, context);
+    tell_of_paper(image, upright, given.has_value(), context);
     result.ink = std::move(detection.ink);
 
     Page& page = result.page;
     page.source = image.filename().string();
+    page.sheet = upright.sheet;
     page.rotate = settings.rotate;
     page.width = result.picture.width();
     page.height = result.picture.height();
@@ -104,13 +138,22 @@ AnimatedPage detect_characters(const fs::path& image, Context& context) {
         character.exact_mask = detected.exact_mask;
         if (given) character.given_labels = std::move(given->labels);
     }
+    check_choice(settings.only, page, image);
     return result;
 }
 
-void save_detection(const fs::path& out, const AnimatedPage& detected, bool trace) {
+void save_detection(const fs::path& out, const AnimatedPage& detected, const Context& context) {
+    std::error_code ignored;
+    const fs::path overview = out / file_names::overview;
+    const bool foreign = fs::exists(overview, ignored) && (!fs::exists(out / file_names::page, ignored) ||
+                                                           detected.page.source == file_names::overview);
     create_folder(out);
     remove_former_run(out);
-    if (trace) trace_detection(out, detected.ink);
+    if (foreign)
+        context.notice(overview.string() + ": is not replaced by the overview of the characters");
+    else
+        save_png(overview, draw_overview(detected.picture, detected.page));
+    if (context.settings().trace) trace_detection(out, detected.ink);
     write_page(out, detected.page); // first, so that the next run knows which folders to clear
     for (std::size_t i = 0; i < detected.characters.size(); ++i)
         save_detected(out / detected.page.characters[i].folder, detected.characters[i].drawing,

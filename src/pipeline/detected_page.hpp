@@ -12,8 +12,9 @@ namespace pantin {
 // Error(input, no_character) names the picture; nothing is written.
 AnimatedPage detect_characters(const std::filesystem::path& image, Context& context);
 
-// Replaces the results of a former run in `out` by page.json, drawings and masks.
-void save_detection(const std::filesystem::path& out, const AnimatedPage& detected, bool trace);
+// Replaces the results of a former run in `out` by page.json, the overview, drawings and masks. A page.png
+// that no former run wrote is the user's and stays; `notice` is told.
+void save_detection(const std::filesystem::path& out, const AnimatedPage& detected, const Context& context);
 
 // Error(input) when it is none.
 void require_folder(const std::filesystem::path& folder);

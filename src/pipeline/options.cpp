@@ -28,6 +28,7 @@ template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visi
     visit("detection.detector", o.detector, {"contour", "mask-rcnn"});
     visit("detection.working_size", o.working_size, 64, 2048);
     visit("detection.max_characters", o.max_characters, 1, 64);
+    visit("detection.flatten_sheet", o.flatten_sheet);
     visit("detection.ink_contrast", o.ink_contrast, 0, 1);
     visit("detection.lightest_stroke", o.lightest_stroke, 0, 1);
     visit("detection.filled_darkness", o.filled_darkness, 0, 1);
@@ -236,6 +237,7 @@ Options make_preset(std::string_view name) {
         throw Error(ErrorKind::usage,
                     "--preset: there is no preset '" + std::string(name) + "' (default, thesis)");
     options.detection.working_size = 321; // ch. 5: the network's input
+    options.detection.flatten_sheet = false; // 4.2: the picture as it is
     options.segmentation.mirror = false;  // 4.3: one view of the drawing
     options.segmentation.tilt = 0;
     options.segmentation.least_confidence = 0;        // 4.3: whatever was detected is a character

@@ -29,6 +29,11 @@ fs::path picture_of(const fs::path& image) {
     return is_animated_drawings_folder(image) ? image / file_names::texture : image;
 }
 
+bool has_given_character(const fs::path& image, const Settings& settings) {
+    return !settings.overrides.mask.empty() || !settings.overrides.labels.empty() ||
+           is_animated_drawings_folder(image);
+}
+
 std::optional<GivenCharacter> given_character(const RgbImage& page, const PageInk& ink, const fs::path& image,
                                               const Settings& settings, const DetectionOptions& options) {
     Overrides overrides = settings.overrides;

@@ -18,6 +18,8 @@ struct GivenCharacter {
 // The picture of a page: the file itself, or the texture of an AnimatedDrawings folder.
 std::filesystem::path picture_of(const std::filesystem::path& image);
 
+// Whether the user gives a character: a mask, labels, or an AnimatedDrawings folder.
+bool has_given_character(const std::filesystem::path& image, const Settings& settings);
 // The character of the given mask or labels, or of an AnimatedDrawings folder; none when there is neither.
 // `page` is turned already. Error(input) names the file that does not fit.
 std::optional<GivenCharacter> given_character(const RgbImage& page, const PageInk& ink,

@@ -107,6 +107,10 @@ std::string animate_character(Character& character, const fs::path& folder, Cont
     }
 }
 
+bool is_chosen(const std::vector<int>& only, int number) {
+    return only.empty() || std::find(only.begin(), only.end(), number) != only.end();
+}
+
 bool any_animated(const Page& page) {
     return std::any_of(page.characters.begin(), page.characters.end(),
                        [](const PageCharacter& c) { return c.status == "ok"; });
@@ -119,8 +123,9 @@ AnimatedPage animate_page(const fs::path& image, const fs::path& out, Context& c
     // Step 1 (4.2): the page to characters.
     context.progress(name_of(Step::detect));
     AnimatedPage animated = detect_characters(image, context);
-    save_detection(out, animated, context.settings().trace);
-    if (!keep_intermediate) animated.picture = {}, animated.ink = {};
+    save_detection(out, animated, context);
+    if (!keep_intermediate) animated.ink = {};
+    if (!keep_intermediate && !context.settings().render.scene) animated.picture = {};
 
     // Steps 2 to 6, one character after the other.
     Page& page = animated.page;
@@ -131,6 +136,10 @@ AnimatedPage animate_page(const fs::path& image, const fs::path& out, Context& c
     for (std::size_t i = 0; i < animated.characters.size(); ++i) {
         Character& character = animated.characters[i];
         PageCharacter& entry = page.characters[i];
+        if (!is_chosen(context.settings().only, static_cast<int>(i) + 1)) {
+            entry.status = "left out: not one of --only";
+            continue;
+        }
         const double before = done;
         entry.status = animate_character(character, out / entry.folder, context, [&](Step step) {
             context.progress(entry.folder + ": " + name_of(step), done++ / total);
@@ -142,7 +151,7 @@ AnimatedPage animate_page(const fs::path& image, const fs::path& out, Context& c
     // All characters in their places, as one film.
     if (scene && any_animated(page)) {
         context.progress(file_names::scene, 1);
-        render_scene(image, out, page, animated.characters, context);
+        render_scene(animated.picture, out, page, animated.characters, context);
     }
     write_page(out, page); // last: whoever finds it without unfinished characters finds everything
     return animated;
@@ -182,7 +191,7 @@ Page detect_page(const fs::path& image, const fs::path& out, const Settings& set
     Context context(settings);
     context.progress(name_of(Step::detect));
     AnimatedPage detected = detect_characters(image, context);
-    save_detection(out, detected, settings.trace);
+    save_detection(out, detected, context);
     for (PageCharacter& character : detected.page.characters) character.status = "ok";
     write_page(out, detected.page);
     return std::move(detected.page);

@@ -127,7 +127,7 @@ RgbaImage empty_paper(const RgbImage& drawn, const std::vector<Figure>& figures,
 
 } // namespace
 
-void render_scene(const std::filesystem::path& image, const std::filesystem::path& out, const Page& page,
+void render_scene(const RgbImage& page_picture, const std::filesystem::path& out, const Page& page,
                   const std::vector<Character>& characters, const Context& context) {
     const Settings& settings = context.settings();
     if (!wants_pictures(settings.render)) return;
@@ -139,8 +139,7 @@ void render_scene(const std::filesystem::path& image, const std::filesystem::pat
     const auto pixels = [&](int length) {
         return std::max(1, static_cast<int>(std::floor(scale * length + 0.5)));
     };
-    const RgbImage drawn = resize(turned(load_image(picture_of(image)), settings.rotate), pixels(page.width),
-                                  pixels(page.height));
+    const RgbImage drawn = resize(page_picture, pixels(page.width), pixels(page.height));
     const RgbaImage paper = empty_paper(drawn, figures, page);
     std::vector<Place> places;
     for (const Figure& figure : figures) places.push_back(place_of(figure, scale, settings.render.picture));
