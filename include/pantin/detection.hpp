@@ -57,7 +57,10 @@ struct DetectionOptions {
     // A detection with so much of its mask inside the mask of a larger one whose score is no lower is a part
     // of that character.
     double contained_share = 0.6;
+    // A character of which so much lies inside the silhouette of a larger one (an eye, a button) is none.
+    double inside_share = 0.8;
     double shared_claim = 0.2; // a piece of ink of which others claim this share is divided
+    double claimed_reach = 0.15; // ink of a character is this near to what is claimed (of its diagonal)
     double unclaimed_reach =
         0.06;        // ink that nobody claims belongs to a character this near (of its diagonal)
     int threads = 1; // of the network; results do not depend on it

@@ -159,6 +159,36 @@ Grouping group(const RgbImage& page, const PageInk& page_ink, const Mask& ink, i
     return group_ink(ink, options);
 }
 
+// Share of a character's silhouette that lies inside of another's.
+double share_inside(const DetectedCharacter& part, const DetectedCharacter& whole) {
+    long own = 0, inside = 0;
+    for (int y = 0; y < part.mask.height(); ++y)
+        for (int x = 0; x < part.mask.width(); ++x) {
+            if (!part.mask(x, y)) continue;
+            ++own;
+            const double u = part.box.x + (x + 0.5) / part.mask.width() * part.box.width - whole.box.x,
+                         v = part.box.y + (y + 0.5) / part.mask.height() * part.box.height - whole.box.y;
+            inside += whole.mask.value_or(
+                static_cast<int>(std::floor(u / whole.box.width * whole.mask.width())),
+                static_cast<int>(std::floor(v / whole.box.height * whole.mask.height())), 0);
+        }
+    return own == 0 ? 0 : static_cast<double>(inside) / static_cast<double>(own);
+}
+
+// Eyes, buttons, a child's face: what lies inside a larger character is a part of it.
+void drop_inside(std::vector<DetectedCharacter>& characters, double inside_share) {
+    const auto area = [](const DetectedCharacter& c) { return std::int64_t{c.box.width} * c.box.height; };
+    std::vector<char> inside(characters.size(), 0);
+    for (std::size_t i = 0; i < characters.size(); ++i)
+        inside[i] = std::any_of(characters.begin(), characters.end(), [&](const DetectedCharacter& whole) {
+            return area(whole) > area(characters[i]) && share_inside(characters[i], whole) >= inside_share;
+        });
+    std::vector<DetectedCharacter> kept;
+    for (std::size_t i = 0; i < characters.size(); ++i)
+        if (!inside[i]) kept.push_back(std::move(characters[i]));
+    characters = std::move(kept);
+}
+
 } // namespace
 
 Detection detect(const RgbImage& page, const PageInk& page_ink, const DetectionOptions& options,
@@ -188,6 +218,7 @@ Detection detect(const RgbImage& page, const PageInk& page_ink, const DetectionO
             own_darkness(crop(page_ink.darkness, character.box), own, crop(result.ink, character.box)));
         result.characters.push_back(std::move(character));
     }
+    drop_inside(result.characters, options.inside_share);
     if (result.characters.empty()) throw Error(ErrorKind::no_character, "no character found on the page");
     std::stable_sort(result.characters.begin(), result.characters.end(), reads_before);
     return result;

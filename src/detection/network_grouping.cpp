@@ -74,11 +74,28 @@ Mask where_positive(const Grid<int>& values) {
     return mask;
 }
 
+// Takes from each group the pixels that are farther than `reach` of its claims' diagonal from all of them.
+void drop_distant(Grid<int>& groups, const Grid<int>& owner, double reach) {
+    const int count = groups.empty() ? 0 : *std::max_element(groups.begin(), groups.end());
+    const std::vector<Box> boxes = boxes_of(owner, std::max(count, *std::max_element(owner.begin(), owner.end())));
+    for (int g = 1; g <= count; ++g) {
+        const Box& box = boxes[static_cast<std::size_t>(g) - 1];
+        const double farthest =
+            reach * length(Point2d{static_cast<double>(box.width), static_cast<double>(box.height)});
+        Mask own(owner.width(), owner.height());
+        std::transform(owner.begin(), owner.end(), own.begin(),
+                       [g](int o) -> std::uint8_t { return o == g; });
+        const Mask near = dilate_disc(own, farthest);
+        for (std::size_t i = 0; i < groups.size(); ++i)
+            if (groups.data()[i] == g && !near.data()[i]) groups.data()[i] = 0;
+    }
+}
+
 // Rule 1.
-Grid<int> give_claimed(const Components& pieces, const Claims& claims, double shared_claim) {
+Grid<int> give_claimed(const Components& pieces, const Claims& claims, const DetectionOptions& options) {
     std::vector<int> owners;
     for (const std::map<int, int>& counts : count_claims(pieces, claims.owner))
-        owners.push_back(owner_of(counts, shared_claim));
+        owners.push_back(owner_of(counts, options.shared_claim));
     Grid<int> groups(pieces.ids.width(), pieces.ids.height(), 0);
     const Grid<int> nearest = nearest_seed(where_positive(claims.owner));
     for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -88,6 +105,7 @@ Grid<int> give_claimed(const Components& pieces, const Claims& claims, double sh
         groups.data()[i] =
             owner >= 0 ? owner : claims.owner.data()[static_cast<std::size_t>(nearest.data()[i])];
     }
+    drop_distant(groups, claims.owner, options.claimed_reach);
     return groups;
 }
 
@@ -137,8 +155,9 @@ std::vector<CharacterFinder::Found> whole_characters(std::vector<CharacterFinder
 
 Grouping group_by_claims(const Mask& ink, const Claims& claims, const DetectionOptions& options) {
     const Components pieces = connected_components(ink);
-    Grid<int> groups = give_claimed(pieces, claims, options.shared_claim);
+    Grid<int> groups = give_claimed(pieces, claims, options);
     const int count = static_cast<int>(claims.scores.size());
+    if (count == 0) return {std::move(groups), {}, {}};
     give_unclaimed(groups, pieces, boxes_of(groups, count), options.unclaimed_reach);
 
     // Detections without ink of their own disappear; the others are numbered anew.

@@ -22,7 +22,9 @@ constexpr double most_area = 0.94;    // beyond, the picture is the sheet
 constexpr double least_solidity = 0.9; // of the region in its hull: ink may cut into it
 constexpr double least_fit = 0.93;     // of the hull in the quadrilateral
 constexpr double least_contrast = 0.1; // of the sheet's brightness, from inside to outside of a side
-constexpr double border = 0.015;       // of the longer side: what is this near to the picture's border ends there
+constexpr double least_edge = 0.6;     // of a side's places have it
+constexpr double least_sine = 0.6;     // of a corner's angle: 37° to 143°
+constexpr double least_opposite = 0.4; // of the length of the opposite side
 constexpr double margin = 0.006;       // of the sheet's sides that is cut off: its edge and its shadow
 
 double area_of(const std::vector<Point2d>& polygon) {
@@ -127,19 +129,14 @@ Point2d normal_of(Point2d a, Point2d b) {
     return {along.y / l, -along.x / l};
 }
 
-bool at_border(Point2d p, int width, int height) {
-    const double near = border * std::max(width, height);
-    return p.x < near || p.y < near || p.x > width - 1 - near || p.y > height - 1 - near;
-}
-
-// How many sides have the sheet inside and something darker or more colourful outside.
-int edges_of(const GreyImage& white, const SheetCorners& corners) {
+// Per side, the share of its places that have the sheet inside and something darker or more colourful
+// outside; 0 where the picture ends there.
+std::array<double, 4> edges_of(const GreyImage& white, const SheetCorners& corners) {
     const int longer = std::max(white.width(), white.height());
-    int sides = 0;
+    std::array<double, 4> shares{};
     for (std::size_t s = 0; s < 4; ++s) {
         const Point2d a = corners[s], b = corners[(s + 1) % 4], out = normal_of(a, b);
-        double inside = 0, outside = 0;
-        int count = 0;
+        int count = 0, edges = 0;
         for (int i = 1; i < 32; ++i) {
             const Point2d p = a + (i / 32.0) * (b - a);
             for (const double step : {0.012, 0.02, 0.03}) {
@@ -148,19 +145,33 @@ int edges_of(const GreyImage& white, const SheetCorners& corners) {
                           x1 = static_cast<int>(std::floor(beyond.x)),
                           y1 = static_cast<int>(std::floor(beyond.y));
                 if (!white.contains(x0, y0) || !white.contains(x1, y1)) continue;
-                inside += white(x0, y0), outside += white(x1, y1), ++count;
+                ++count;
+                edges += white(x0, y0) - white(x1, y1) >= least_contrast * white(x0, y0);
             }
         }
-        // A side along the picture's border has nothing outside.
-        if (count < 16 ? at_border(0.5 * (a + b), white.width(), white.height())
-                       : inside - outside >= least_contrast * inside)
-            ++sides;
+        if (count >= 16) shares[s] = static_cast<double>(edges) / count;
     }
-    return sides;
+    return shares;
 }
 
+// A rectangle seen from a place that a photograph is taken from.
+bool is_possible(const SheetCorners& corners) {
+    for (std::size_t s = 0; s < 4; ++s) {
+        const Point2d side = corners[(s + 1) % 4] - corners[s], before = corners[(s + 3) % 4] - corners[s],
+                      opposite = corners[(s + 2) % 4] - corners[(s + 3) % 4];
+        const double sine = std::abs(cross(side, before)) / std::max(1e-9, length(side) * length(before));
+        if (sine < least_sine || length(side) < least_opposite * length(opposite)) return false;
+    }
+    return true;
+}
+
+struct Candidate {
+    SheetCorners corners;
+    double score; // how well region, quadrilateral and edges agree
+};
+
 // The quadrilateral of the largest bright region at this threshold.
-std::optional<SheetCorners> sheet_at(const GreyImage& white, int threshold) {
+std::optional<Candidate> sheet_at(const GreyImage& white, int threshold) {
     Mask bright(white.width(), white.height());
     std::transform(white.begin(), white.end(), bright.begin(),
                    [&](std::uint8_t v) -> std::uint8_t { return v >= threshold; });
@@ -180,8 +191,12 @@ std::optional<SheetCorners> sheet_at(const GreyImage& white, int threshold) {
             c.y > 1.05 * white.height())
             return std::nullopt;
     const SheetCorners corners = in_order(four);
-    if (edges_of(white, corners) < 3) return std::nullopt;
-    return corners;
+    if (!is_possible(corners)) return std::nullopt;
+    const std::array<double, 4> edges = edges_of(white, corners);
+    if (std::count_if(edges.begin(), edges.end(), [](double e) { return e >= least_edge; }) < 3)
+        return std::nullopt;
+    const double edge = (edges[0] + edges[1] + edges[2] + edges[3]) / 4;
+    return Candidate{corners, area / area_of(four) * edge};
 }
 
 // The line of a side by least squares through the steepest places near it; the side itself where there are
@@ -303,19 +318,20 @@ Rgb8 sample(const RgbImage& picture, Point2d p) {
 std::optional<SheetCorners> find_sheet(const RgbImage& picture) {
     if (std::min(picture.width(), picture.height()) < 64) return std::nullopt;
     const GreyImage white = whiteness(reduced(picture, searched_size));
-    // The lowest threshold at which the sheet stands alone keeps what of it lies in shadow.
-    for (int threshold = 40; threshold <= 230; threshold += 10) {
-        std::optional<SheetCorners> corners = sheet_at(white, threshold);
-        if (!corners) continue;
-        const GreyImage fine = whiteness(reduced(picture, refined_size));
-        const double up = static_cast<double>(fine.width()) / white.width(),
-                     rest = static_cast<double>(picture.width()) / fine.width();
-        for (Point2d& c : *corners) c = up * c;
-        *corners = refined(fine, *corners);
-        for (Point2d& c : *corners) c = rest * c;
-        return corners;
-    }
-    return std::nullopt;
+    std::optional<Candidate> best;
+    for (int threshold = 40; threshold <= 230; threshold += 10)
+        if (const std::optional<Candidate> found = sheet_at(white, threshold);
+            found && (!best || found->score > best->score))
+            best = found;
+    if (!best) return std::nullopt;
+    const GreyImage fine = whiteness(reduced(picture, refined_size));
+    const double up = static_cast<double>(fine.width()) / white.width(),
+                 rest = static_cast<double>(picture.width()) / fine.width();
+    SheetCorners corners = best->corners;
+    for (Point2d& c : corners) c = up * c;
+    corners = refined(fine, corners);
+    for (Point2d& c : corners) c = rest * c;
+    return corners;
 }
 
 RgbImage flattened(const RgbImage& picture, const SheetCorners& corners) {

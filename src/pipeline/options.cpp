@@ -51,6 +51,8 @@ template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visi
     visit("detection.network_score", o.network_score, 0, 1);
     visit("detection.contained_share", o.contained_share, 0, 1);
     visit("detection.shared_claim", o.shared_claim, 0, 1);
+    visit("detection.inside_share", o.inside_share, 0, 2);
+    visit("detection.claimed_reach", o.claimed_reach, 0, 10);
     visit("detection.unclaimed_reach", o.unclaimed_reach, 0, 1);
 }
 
