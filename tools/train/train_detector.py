@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Trains the compact Mask R-CNN (backbones.py) on composed pages (pages.py), on the processor, within a given time.
 
-usage: train_detector.py SHARDS OUT --minutes M [--resume CHECKPOINT | --start detector.safetensors] [--rate 1e-3] [--batch 6] [--seed 1]
+usage: train_detector.py SHARDS OUT --minutes M [--resume CHECKPOINT | --start CHECKPOINT_OR_SAFETENSORS] [--rate 1e-3] [--batch 6] [--seed 1]
                          [--scenes 0.55] [--drawn FOLDER ...]
        train_detector.py --export CHECKPOINT detector.safetensors      (F16, the moving average of the weights)
 The loop is loop.py's. Writes OUT/last.pt every few minutes. --start: weights alone, of a former training. --scenes: share of pages with
@@ -57,9 +57,12 @@ def write_weights(checkpoint, path):
 
 
 def start_from(model, path):
-    """the tensors of a weight file; torch's counters of batches are not in it."""
-    tensors, _ = export.read_safetensors(path)
-    missing, unexpected = model.load_state_dict({name: torch.from_numpy(value.copy()) for name, value in tensors.items()}, strict=False)
+    """the weights of a checkpoint, or of a weight file: torch's counters of batches are not in that."""
+    if path.endswith(".safetensors"):
+        tensors = {name: torch.from_numpy(value.copy()) for name, value in export.read_safetensors(path)[0].items()}
+    else:
+        tensors = torch.load(path, map_location="cpu")["model"]
+    missing, unexpected = model.load_state_dict(tensors, strict=False)
     if unexpected or any(not name.endswith("num_batches_tracked") for name in missing):
         raise SystemExit(f"{path}: not the weights of this network")
 
