@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Pages as children draw them, for the detector: characters side by side on a ground line or anywhere, and things around them that are no
 characters (shards of dataset.py --source things). Only the characters are truth."""
+import json
+
 import cv2
 import numpy as np
 
 import dataset
 import pages
+import tone
 
 # What is drawn where, how often, and how large (longer side relative to the page's shorter one).
 SKY, STANDING, GROUND, WRITTEN, ANYWHERE, AROUND = range(6)
@@ -41,6 +44,28 @@ class Things:
         ink = np.asarray(images[k, 0])
         ys, xs = np.nonzero(ink > 40)
         return name, ink[ys.min():ys.max() + 1, xs.min():xs.max() + 1]
+
+
+class Drawn:
+    """whole pages of `doodle --scene`, several folders of them: ink and masks as compose gives them."""
+
+    def __init__(self, folders):
+        self.pages = [f"{folder}/{{}}/{json.loads(line)['id']}.png" for folder in folders for line in open(f"{folder}/index.ndjson")]
+
+    def draw(self, rng):
+        path = self.pages[rng.integers(len(self.pages))]
+        ink = (tone.ink_darkness(cv2.imread(path.format("image"))[:, :, ::-1]) * 255 + 0.5).astype(np.uint8)
+        numbers = cv2.imread(path.format("instance"), cv2.IMREAD_GRAYSCALE)
+        if rng.random() < 0.5:
+            ink, numbers = ink[:, ::-1], numbers[:, ::-1]
+        h, w = ink.shape
+        if rng.random() < 0.5:                                    # a part of the page that keeps its characters
+            ys, xs = np.nonzero(numbers)
+            y, x = int(ys.min() * rng.random()), int(xs.min() * rng.random())
+            b, a = int(rng.uniform(ys.max() + 1, h + 1)), int(rng.uniform(xs.max() + 1, w + 1))
+            ink, numbers = ink[y:b, x:a], numbers[y:b, x:a]
+        masks = np.array([numbers == k for k in range(1, numbers.max() + 1)], bool)
+        return dataset.as_photographed(np.ascontiguousarray(ink), rng), masks
 
 
 def resized(ink, height, width):

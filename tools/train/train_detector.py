@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: MIT
 """Trains the compact Mask R-CNN (backbones.py) on composed pages (pages.py), on the processor, within a given time.
 
-usage: train_detector.py SHARDS OUT --minutes M [--resume CHECKPOINT | --start detector.safetensors] [--rate 1e-3] [--batch 6] [--seed 1]
-                         [--scenes 0.55]
+usage: train_detector.py SHARDS OUT --minutes M [--resume CHECKPOINT | --start CHECKPOINT_OR_SAFETENSORS] [--rate 1e-3] [--batch 6] [--seed 1]
+                         [--scenes 0.55] [--drawn FOLDER ...]
        train_detector.py --export CHECKPOINT detector.safetensors      (F16, the moving average of the weights)
 The loop is loop.py's. Writes OUT/last.pt every few minutes. --start: weights alone, of a former training. --scenes: share of pages with
-things that are no characters (scenes.py; SHARDS must have some).
+things that are no characters (scenes.py; SHARDS must have some); --drawn: half of these pages are whole ones that
+`doodle --scene` wrote.
 """
+import collections
 import sys
 
 import numpy as np
@@ -43,7 +45,8 @@ def new_model():
     model.rpn._pre_nms_top_n.update(training=300)
     model.rpn._post_nms_top_n.update(training=150)
     model.rpn.fg_bg_sampler.batch_size_per_image = 128
-    model.roi_heads.fg_bg_sampler.batch_size_per_image = 48
+    model.roi_heads.fg_bg_sampler.batch_size_per_image = 96      # nearly all proposals: those on things are few
+    model.roi_heads.fg_bg_sampler.positive_fraction = 0.16
     return model, facts
 
 
@@ -54,9 +57,12 @@ def write_weights(checkpoint, path):
 
 
 def start_from(model, path):
-    """the tensors of a weight file; torch's counters of batches are not in it."""
-    tensors, _ = export.read_safetensors(path)
-    missing, unexpected = model.load_state_dict({name: torch.from_numpy(value.copy()) for name, value in tensors.items()}, strict=False)
+    """the weights of a checkpoint, or of a weight file: torch's counters of batches are not in that."""
+    if path.endswith(".safetensors"):
+        tensors = {name: torch.from_numpy(value.copy()) for name, value in export.read_safetensors(path)[0].items()}
+    else:
+        tensors = torch.load(path, map_location="cpu")["model"]
+    missing, unexpected = model.load_state_dict(tensors, strict=False)
     if unexpected or any(not name.endswith("num_batches_tracked") for name in missing):
         raise SystemExit(f"{path}: not the weights of this network")
 
@@ -65,17 +71,29 @@ def main():
     def more(parser):
         parser.add_argument("--start")
         parser.add_argument("--scenes", type=float, default=0.55)
+        parser.add_argument("--drawn", nargs="*", default=[])
     if sys.argv[1:2] == ["--export"]:
         return write_weights(sys.argv[2], sys.argv[3])
     args = loop.parse(__doc__, 1.5e-3, 6, more)
     shards = dataset.Shards(args.shards, SHARES)
     things = scenes.Things(args.shards) if args.scenes > 0 else None
+    drawn = scenes.Drawn(args.drawn)
     model = new_model()[0].train()
     if args.start:
         start_from(model, args.start)
 
+    exact = model.backbone.forward
+
+    def fast(images):                                             # half of the work, in bfloat16
+        with torch.autocast("cpu", dtype=torch.bfloat16):
+            stages = exact(images)
+        return collections.OrderedDict((name, stage.float()) for name, stage in stages.items())
+    model.backbone.forward = fast
+
     def page(rng):
-        return scenes.compose(shards, things, rng) if rng.random() < args.scenes else pages.compose(shards, rng)
+        if rng.random() >= args.scenes:
+            return pages.compose(shards, rng)
+        return drawn.draw(rng) if args.drawn and rng.random() < 0.5 else scenes.compose(shards, things, rng)
 
     def losses_of(model, rng):
         composed = [page(rng) for _ in range(args.batch)]
