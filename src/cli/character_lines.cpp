@@ -44,7 +44,9 @@ Films films_of(const fs::path& folder) {
     for (const auto& entry : fs::directory_iterator(folder, error)) files.insert(entry.path());
     const auto take = [&](const std::string& clip, const fs::path& path) {
         films.clips.insert(clip);
-        if (films.first.empty()) films.first = path;
+        // The first clip's file has the shortest name.
+        if (films.first.empty() || (clip == file_names::animation && films.first.stem() != clip))
+            films.first = path;
     };
     for (const FilmFormat& format : film_formats())
         for (const fs::path& file : files)
@@ -57,13 +59,18 @@ Films films_of(const fs::path& folder) {
     return films;
 }
 
-std::string advice(const fs::path& folder, const std::string& status) {
+// What to do when the character cannot go on. A reference overrules the first refusals and can be another one
+// when the rig is impossible; it does not help where there is no skeleton, or no such clip.
+std::string advice(const fs::path& folder, const std::string& status, bool reference_given) {
     if (status.starts_with("render: ")) return "";
-    std::string text = " · try --reference NAME";
+    const bool may_help =
+        status.starts_with("rig: ") || (!reference_given && !status.starts_with("skeletonize: "));
+    std::string text =
+        may_help ? std::string(" · try ") + (reference_given ? "another " : "") + "--reference NAME" : "";
     std::error_code error;
     if (fs::exists(folder / file_names::labels, error))
-        text += ", or correct " + (folder / file_names::labels).string() + " and run: pantin skeletonize " +
-                shell_word(folder.string());
+        text += (may_help ? ", or correct " : " · correct ") + (folder / file_names::labels).string() +
+                " and run: pantin skeletonize " + shell_word(folder.string());
     return text;
 }
 
@@ -72,7 +79,7 @@ std::string advice(const fs::path& folder, const std::string& status) {
 std::string character_line(const fs::path& out, const PageCharacter& character, bool reference_given) {
     const fs::path folder = out / character.folder;
     std::string line = folder.string() + ": " + character.status;
-    if (character.status != "ok") return line + advice(folder, character.status);
+    if (character.status != "ok") return line + advice(folder, character.status, reference_given);
     if (character.found) line += " · " + type_text(character, reference_given);
     const Films films = films_of(folder);
     if (films.clips.empty()) return line;
