@@ -24,7 +24,7 @@ int edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
-    const int most = std::max(1, static_cast<int>(word.size()) / 3);
+    const int most = std::clamp(static_cast<int>(word.size()) / 3, 1, 3);
     const std::string* nearest = nullptr;
     int smallest = most + 1;
     for (const std::string& candidate : known) {

@@ -13,7 +13,8 @@ namespace pantin {
 int edit_distance(std::string_view a, std::string_view b);
 
 // "; did you mean 'animate'?" with the nearest of the known words, the first among equals; empty when none is
-// near: more than a third of the word's letters would change, and more than one. No error. Own.
+// near: more than a third of the word's letters would change, and more than one; or more than three. No
+// error. Own.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
 
 } // namespace pantin

@@ -25,6 +25,9 @@ TEST_CASE("The nearest known word is suggested, a far one is not", "[core]") {
     CHECK(did_you_mean("dance", known).empty());
     CHECK(did_you_mean("x", known).empty()); // every letter would change
     CHECK(did_you_mean("walk", {}).empty());
+    CHECK(did_you_mean("detection.colour", {"detection.detector"}).empty()); // alike in the group alone
+    CHECK(did_you_mean("detection.wroking_siz", {"detection.working_size"}) ==
+          "; did you mean 'detection.working_size'?");
 }
 
 TEST_CASE("One is singular", "[core]") {
