@@ -67,7 +67,7 @@ else ifeq ($($(1)),1)
 endif
 endef
 switches := $(foreach library,$(LIBRARIES),$(library)=$($(library)))
-ifneq ($(filter-out demo test sanitize deps clean uninstall install-files format check-format,$(or $(MAKECMDGOALS),all)),)
+ifneq ($(filter-out demo test sanitize deps clean uninstall format check-format,$(or $(MAKECMDGOALS),all)),)
   $(foreach library,$(LIBRARIES),$(eval $(call detect,$(library))))
 endif
 with = $(strip $(foreach library,$(LIBRARIES),$(if $(filter $(1),$($(library))),$(library))))

@@ -46,6 +46,9 @@ draw vectors/humanoid/page.png image 21 17 --types humanoid $tiny
 draw vectors/quadruped/page.png image 22 55 --types quadruped $tiny
 draw vectors/flyer/page.png image 23 52 --types flying $tiny
 
+# a motion for people to follow
+tools/make_dance.py > "$out/dance.bvh"
+
 # closed outlines, for the figures of docs/figures
 clear="--photo 0 --paper 0 --colour 0 --pen 3.5 --fill 0.92 --gaps 0 --tilt 0.3"
 draw dog.png image 31 3 --type quadruped --size 480 --height 360 $clear

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,9 +29,10 @@ std::vector<unsigned char> to_glb(const Rig& rig, const RgbaImage& texture,
 // Film formats by name: src/export/film_formats.hpp. All take one loop of frames of one size, at least one,
 // at `fps` frames a second.
 
-// Lossless WebP with transparency; times in whole milliseconds. Error(usage) in a build without it;
-// Error(internal) without frames. Own, over libwebp.
-std::vector<unsigned char> encode_webp(const std::vector<RgbaImage>& frames, double fps);
+// WebP with transparency; times in whole milliseconds. `quality`: 0 to 100, colours lossy, alpha as it is;
+// none: lossless. Error(usage) in a build without it; Error(internal) without frames. Own, over libwebp.
+std::vector<unsigned char> encode_webp(const std::vector<RgbaImage>& frames, double fps,
+                                       std::optional<int> quality = {});
 // GIF with one palette of at most 255 colours, drawn where alpha is at least ½; delays are whole 1/100 s of
 // at least 2. Errors as encode_webp(). Own, over giflib.
 std::vector<unsigned char> encode_gif(const std::vector<RgbaImage>& frames, double fps);

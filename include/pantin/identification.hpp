@@ -109,7 +109,8 @@ struct Identification {
 // Step 4 (thesis 4.5, ERRATA 8 to 13). `labels` has the size of the graph, 0 outside the silhouette.
 // Throws CharacterRejected("identify", …) for what cannot move: a skeleton without an edge, more than 24 ends
 // (a scribble), one label only, or neither an end nor 2 % of the silhouette that is limb, wing or tail, and
-// no head that ends a body of 15 % (a head alone). Error(input) when `options.reference` is none of the
+// no head that ends a body of 15 % (a head alone); when `options.reference` says what it moves like, for a
+// skeleton without an edge only. Error(input) when `options.reference` is none of the
 // references.
 Identification identify(const SkeletonGraph& graph, const LabelMap& labels,
                         const std::vector<ReferenceSkeleton>& references,

@@ -12,12 +12,19 @@
 
 namespace pantin {
 
+// A reference skeleton and how sure it is that the character moves like it, 0 to 1.
+struct TypeGuess {
+    std::string type;
+    double confidence = 0;
+};
+
 struct PageCharacter {
-    std::string folder;          // name below the page's folder, "character-1"
-    Box box;                     // page pixels
-    double scale = 1, score = 0; // working pixels per page pixel; detector's score, 0 to 1
-    std::string status = "ok";   // or "step: reason", or unfinished_status
-    bool exact_mask = false;     // mask.png is the silhouette to the pixel: the user gave it
+    std::string folder;                     // name below the page's folder, "character-1"
+    Box box;                                // page pixels
+    double scale = 1, score = 0;            // working pixels per page pixel; detector's score, 0 to 1
+    std::string status = "ok";              // or "step: reason", or unfinished_status
+    bool exact_mask = false;                // mask.png is the silhouette to the pixel: the user gave it
+    std::optional<TypeGuess> found, second; // what it moves like, and the best other one; of identification
 };
 // Of a character whose page `animate` is still at work on, or was when it was cut off.
 inline constexpr const char* unfinished_status = "unfinished";

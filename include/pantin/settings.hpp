@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ struct RenderRequest {
     double fps = 25;          // 1 … 100
     // Names of the table in src/export/film_formats.cpp; empty: webp, and gif for the first clip.
     std::vector<std::string> formats;
-    bool scene = false; // `animate`: the whole page as one film, too
+    std::optional<int> quality; // of WebP films: 0 … 100; none: lossless
+    bool scene = false;         // `animate`: the whole page as one film, too
     RenderOptions picture;
 };
 

@@ -8,6 +8,7 @@
 #include "animation/vector.hpp"
 #include "core/decimal.hpp"
 #include "core/math.hpp"
+#include "core/plural.hpp"
 #include "pantin/error.hpp"
 #include "pantin/motion.hpp"
 
@@ -57,7 +58,8 @@ public:
         if (count > text_.size()) fail("the file is too short for its frames");
         motion_.values.reserve(count);
         while (motion_.values.size() < count) motion_.values.push_back(number("a value of the motion"));
-        if (!peek().empty()) fail("more values than " + std::to_string(motion_.frames()) + " frames have");
+        if (!peek().empty())
+            fail("more values than those of " + count_of(static_cast<long>(motion_.frames()), "frame"));
         return std::move(motion_);
     }
 

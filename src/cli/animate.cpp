@@ -3,7 +3,11 @@
 #include <map>
 #include <memory>
 
+#include "cli/character_lines.hpp"
 #include "cli/command.hpp"
+#include "core/shell_word.hpp"
+#include "export/film_formats.hpp"
+#include "formats/file_names.hpp"
 
 namespace pantin::cli {
 
@@ -33,11 +37,37 @@ std::vector<fs::path> page_folders(const Arguments& arguments) {
     return folders;
 }
 
+void print_characters(const Page& page, const fs::path& folder, const Arguments& arguments) {
+    for (const PageCharacter& character : page.characters)
+        print_result(arguments.common,
+                     character_line(folder, character, !arguments.overrides.reference.empty()));
+}
+
 void animate_page(const fs::path& image, const fs::path& folder, const Arguments& arguments,
                   const Settings& settings, Networks& networks) {
-    const Page page = animate(image, folder, settings, networks);
-    for (const PageCharacter& character : page.characters)
-        print_result(arguments.common, (folder / character.folder).string() + ": " + character.status);
+    try {
+        print_characters(animate(image, folder, settings, networks), folder, arguments);
+    } catch (const Error& error) {
+        if (error.kind() == ErrorKind::not_animated) // page.json was written
+            print_characters(read_page(folder / file_names::page), folder, arguments);
+        throw;
+    }
+}
+
+// What to do now: look at the scene, or at what every step did.
+void print_next(const fs::path& image, const fs::path& folder, const Arguments& arguments) {
+    if (arguments.render.scene) {
+        for (const FilmFormat& format : film_formats()) {
+            const fs::path scene = folder / (file_names::scene + std::string(format.ending));
+            std::error_code error;
+            if (format.ending.empty() || !fs::exists(scene, error)) continue;
+            return print_result(arguments.common, "the page: " + scene.string());
+        }
+    }
+    std::string name = folder.string();
+    while (name.size() > 1 && name.ends_with('/')) name.pop_back();
+    print_result(arguments.common, "what every step did: pantin explain " + shell_word(image.string()) +
+                                       " -o " + shell_word(name + "-explained"));
 }
 
 // A bad page does not keep the others from being done. 0 when a character of any page was animated, else the
@@ -55,6 +85,7 @@ int run_animate(const Arguments& arguments) {
     for (std::size_t i = 0; i < folders.size(); ++i) {
         try {
             animate_page(arguments.images[i], folders[i], arguments, settings, networks);
+            if (i == 0 || arguments.render.scene) print_next(arguments.images[i], folders[i], arguments);
             any = true;
         } catch (const Error& error) {
             print_error(error.what());

@@ -80,8 +80,9 @@ private:
 class Program {
 public:
     // `footer` closes every help text.
-    Program(const std::string& name, const std::string& description, const std::string& version,
-            const std::string& footer);
+    // `version` makes the text of --version when it is asked for.
+    Program(const std::string& name, const std::string& description,
+            const std::function<std::string()>& version, const std::string& footer);
     ~Program();
     Command command();
     // What to run: the chosen command, or one that prints help or version. Error(usage) when the command line

@@ -15,6 +15,7 @@
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
 #include "core/lines.hpp"
+#include "core/suggestion.hpp"
 #include "pipeline/batch.hpp"
 #include "pipeline/context.hpp"
 
@@ -72,6 +73,10 @@ std::vector<std::string> formats_of(const JsonReader& value) {
     return formats;
 }
 
+std::string quality_of(const JsonReader& value) {
+    return value.value().is_string() ? value.text() : std::to_string(value.integer(0, 100));
+}
+
 // A file's name, or the configuration itself.
 void set_config(CommonOptions& options, const JsonReader& value) {
     const bool inline_object = value.value().is_object();
@@ -111,6 +116,7 @@ const std::map<std::string, Set>& keys() {
         {"size",
          [](PageOptions& o, const JsonReader& v) { o.render.size = static_cast<int>(v.integer(16, 4096)); }},
         {"formats", [](PageOptions& o, const JsonReader& v) { o.render.formats = formats_of(v); }},
+        {"quality", [](PageOptions& o, const JsonReader& v) { o.render.quality = quality_of(v); }},
         {"background", [](PageOptions& o, const JsonReader& v) { o.render.background = text_of(v); }},
         {"perspective", [](PageOptions& o, const JsonReader& v) { o.render.perspective = v.boolean(); }},
         {"scene", [](PageOptions& o, const JsonReader& v) { o.render.scene = v.boolean(); }},
@@ -118,10 +124,16 @@ const std::map<std::string, Set>& keys() {
     return all;
 }
 
+std::string suggestion_for(const std::string& key) {
+    std::vector<std::string> names;
+    for (const auto& [name, set] : keys()) names.push_back(name);
+    return did_you_mean(key, names);
+}
+
 void set_options(PageOptions& options, const JsonReader& line) {
     for (const auto& [key, value] : line.entries()) {
         const auto known = keys().find(key);
-        if (known == keys().end()) value.fail("there is no such option");
+        if (known == keys().end()) value.fail("there is no such option" + suggestion_for(key));
         known->second(options, value);
     }
     if (options.image.empty()) line.fail("misses \"image\"");

@@ -11,6 +11,7 @@
 
 #include <unistd.h>
 
+#include "core/suggestion.hpp"
 #include "export/film_formats.hpp"
 
 namespace pantin::cli {
@@ -45,11 +46,26 @@ Rgba8 parse_colour(const std::string& text) {
             static_cast<std::uint8_t>(values[2]), static_cast<std::uint8_t>(values[3])};
 }
 
+// 0 to 100, or lossless: none.
+std::optional<int> parse_quality(const std::string& text) {
+    if (text == "lossless") return std::nullopt;
+    int value = -1;
+    const char* end = text.data() + text.size();
+    if (std::from_chars(text.data(), end, value).ptr != end || value < 0 || value > 100)
+        throw Error(ErrorKind::usage, "--quality: '" + text +
+                                          "' is neither lossless nor a number from 0 to 100" +
+                                          did_you_mean(text, {"lossless"}));
+    return value;
+}
+
 void check_formats(const std::vector<std::string>& formats) {
+    std::vector<std::string> names;
+    for (const FilmFormat& format : film_formats()) names.emplace_back(format.name);
     for (const std::string& name : formats) {
         const FilmFormat* format = film_format(name);
         if (!format)
-            throw Error(ErrorKind::usage, "--format: '" + name + "' is not " + film_format_names(" or "));
+            throw Error(ErrorKind::usage, "--format: '" + name + "' is not " + film_format_names(" or ") +
+                                              did_you_mean(name, names));
         if (!is_available(*format))
             throw Error(ErrorKind::usage, "--format " + name + ": " + std::string(format->missing));
     }
@@ -122,6 +138,11 @@ void add_render_options(Command command, RenderFlags& flags) {
         .option("--format", flags.formats,
                 film_format_names() + " (default: webp, and gif of the first clip)")
         .separated_by(',');
+    command
+        .option(
+            "--quality", flags.quality,
+            "of WebP films: lossless, or 0 (small) to 100 (nearly as drawn); transparency is kept as it is")
+        .show_default();
     command.option("--background", flags.background, "transparent, white, black, #rrggbb or #rrggbbaa")
         .show_default();
     command.flag("--perspective", flags.perspective, "perspective camera instead of an orthographic one");
@@ -151,6 +172,7 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
     settings.render.clip = flags.clip;
     settings.render.fps = flags.fps;
     settings.render.formats = flags.formats;
+    settings.render.quality = parse_quality(flags.quality);
     settings.render.scene = flags.scene;
     settings.render.picture.size = flags.size;
     settings.render.picture.perspective = flags.perspective;

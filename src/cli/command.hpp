@@ -21,7 +21,7 @@ struct CommonOptions {
     bool trace = false, quiet = false, animated_drawings = false, blend = false;
 };
 struct RenderFlags {
-    std::string clip = "all", background = "transparent";
+    std::string clip = "all", background = "transparent", quality = "lossless";
     double fps = 25;
     int size = 512;
     std::vector<std::string> formats;
@@ -49,6 +49,9 @@ void show_progress(const std::string& what, double share);
 void clear_progress();
 // A result on standard output, unless --quiet.
 void print_result(const CommonOptions& options, const std::string& line);
+
+// What --version prints: libraries, kernel, weights, licence.
+std::string version_text();
 
 void add_animate(Command app);
 void add_steps(Command app);

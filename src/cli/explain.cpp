@@ -2,7 +2,9 @@
 // pantin explain IMAGE -o DIR
 #include <memory>
 
+#include "cli/character_lines.hpp"
 #include "cli/command.hpp"
+#include "formats/file_names.hpp"
 #include "pantin/explain.hpp"
 
 namespace pantin::cli {
@@ -20,9 +22,18 @@ int run_explain(const Arguments& arguments) {
     const std::filesystem::path out = arguments.out;
     Settings settings = make_settings(arguments.common, arguments.render);
     settings.overrides = arguments.overrides;
-    explain(arguments.image, out, settings);
-    clear_progress();
-    print_result(arguments.common, (out / "index.html").string());
+    const std::string written = (out / file_names::walkthrough).string();
+    try {
+        const Page page = explain(arguments.image, out, settings);
+        print_result(arguments.common, written);
+        for (const PageCharacter& character : page.characters)
+            if (character.status != "ok")
+                print_error(character_line(out, character, !arguments.overrides.reference.empty()));
+    } catch (const Error& error) {
+        // Written all the same, and of most use then.
+        if (error.kind() == ErrorKind::not_animated) print_result(arguments.common, written);
+        throw;
+    }
     return 0;
 }
 

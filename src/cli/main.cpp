@@ -5,18 +5,12 @@
 #include <cstdio>
 #include <exception>
 #include <new>
-#include <utility>
 
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
 #include "cli/command.hpp"
-#include "core/yaml.hpp"
-#include "pantin/export.hpp"
-#include "pantin/identification.hpp"
-#include "pantin/strokes.hpp"
-#include "pantin/version.hpp"
 
 namespace {
 
@@ -30,23 +24,10 @@ constexpr const char* exit_codes =
     "4 no character found, 5 weights missing or invalid, 6 output cannot be written,\n"
     "7 characters found but none could be animated, 8 results differ (verify).";
 
-// "pantin 0.1.0", and which optional libraries are linked in.
-std::string version_text() {
-    std::string with, without;
-    for (const auto& [name, available] : {std::pair{"GLPK", ilp_available()},
-                                          {"WebP", webp_available()},
-                                          {"GIF", gif_available()},
-                                          {"yaml-cpp", yaml_available()},
-                                          {"pugixml", svg_available()}})
-        (available ? with : without) += std::string(" ") + name;
-    return "pantin " PANTIN_VERSION "\nwith:" + (with.empty() ? " no optional library" : with) +
-           (without.empty() ? "" : "\nwithout:" + without);
-}
-
 int run_command_line(int argc, char** argv) {
     cli::Program program("pantin",
                          "pantin: a drawing of a character goes in, an animated character comes out",
-                         version_text(), exit_codes);
+                         cli::version_text, exit_codes);
     const cli::Command app = program.command();
     cli::add_animate(app);
     cli::add_steps(app);

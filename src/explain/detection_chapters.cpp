@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/plural.hpp"
 #include "explain/chapters.hpp"
 #include "explain/palette.hpp"
 #include "explain/svg.hpp"
@@ -60,7 +61,7 @@ Values page_chapter(const AnimatedPage& animated) {
                      {"source", escaped(page.source)},
                      {"width", std::to_string(page.width)},
                      {"height", std::to_string(page.height)},
-                     {"count", std::to_string(page.characters.size())},
+                     {"count", count_of(static_cast<long>(page.characters.size()), "character")},
                      {"detector", page.detector}};
     values["ink"] = "";
     if (!animated.ink.empty()) {

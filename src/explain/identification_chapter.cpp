@@ -2,6 +2,7 @@
 // Step 4: each reference beside the character, what was matched, and what the distance is the sum of.
 #include <algorithm>
 
+#include "core/plural.hpp"
 #include "explain/chapters.hpp"
 #include "explain/palette.hpp"
 #include "explain/svg.hpp"
@@ -92,7 +93,7 @@ std::string candidate_figure(const ChapterInput& input, const LabelledGraph& dra
            (chosen ? " — chosen" : "") + "</h4>" +
            pair_picture(drawn, candidate.mirrored ? mirrored(model) : model, candidate) + "<p>distance " +
            decimal(candidate.distance, 3) + ", score " + decimal(candidate.score, 3) + ", " +
-           std::to_string(candidate.pairs.size()) + " vertices matched" +
+           count_of(static_cast<long>(candidate.pairs.size()), "vertex", "vertices") + " matched" +
            (candidate.optimal ? "" : ", search cut off at its limit") + "</p><table class=\"bars\">" +
            bars(terms_of(candidate.terms), most) + "</table>" + evidence(candidate) + "</section>";
 }

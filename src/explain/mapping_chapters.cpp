@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/json.hpp"
+#include "core/plural.hpp"
 #include "explain/chapters.hpp"
 #include "explain/palette.hpp"
 #include "explain/svg.hpp"
@@ -259,7 +260,7 @@ Values assignment_chapter(const ChapterInput& input) {
                                           : "";
                            })},
             {"pairs", list},
-            {"count", std::to_string(mapping.pairs.size())}};
+            {"count", count_of(static_cast<long>(mapping.pairs.size()), "pair")}};
 }
 
 } // namespace pantin

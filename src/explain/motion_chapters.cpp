@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/json.hpp"
+#include "core/plural.hpp"
 #include "explain/chapters.hpp"
 #include "explain/picture_size.hpp"
 #include "pantin/export.hpp"
@@ -85,7 +86,7 @@ Values solid_chapter(const ChapterInput& input) {
     const std::vector<BoneAnimation> animations = make_animations(rig, character.reference, input.context);
     const RgbaImage texture = make_solid_texture(small_drawing(character), labels);
     Values values = {{"clips", clip_options(animations)},
-                     {"parts", std::to_string(model.parts().size())},
+                     {"parts", count_of(static_cast<long>(model.parts().size()), "part")},
                      {"triangles", std::to_string(mesh.triangles.size())},
                      {"vertices", std::to_string(mesh.vertices.size())},
                      {"data", script_json(viewer_data(glb_uri(rig, texture, animations), rig))}};

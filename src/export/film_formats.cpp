@@ -21,12 +21,20 @@ namespace {
 using Frames = std::vector<RgbaImage>;
 using Encoder = std::vector<unsigned char>(const Frames& frames, double fps);
 
-template <Encoder encode> void write_encoded(const fs::path& file, const Frames& frames, double fps) {
+template <Encoder encode>
+void write_encoded(const fs::path& file, const Frames& frames, double fps, std::optional<int>) {
     write_file(file, encode(frames, fps));
+}
+void write_webp(const fs::path& file, const Frames& frames, double fps, std::optional<int> quality) {
+    write_file(file, encode_webp(frames, fps, quality));
+}
+
+void write_film_as_mp4(const fs::path& file, const Frames& frames, double fps, std::optional<int>) {
+    write_mp4(file, frames, fps);
 }
 
 // folder/0001.png, 0002.png, …
-void write_frames(const fs::path& folder, const Frames& frames, double) {
+void write_frames(const fs::path& folder, const Frames& frames, double, std::optional<int>) {
     create_folder(folder);
     const auto file = [&](std::size_t number) {
         char name[32];
@@ -44,12 +52,12 @@ constexpr auto never = FilmFormat::Default::never, first_clip = FilmFormat::Defa
                every_clip = FilmFormat::Default::every_clip;
 
 constexpr std::array formats = {
-    FilmFormat{"webp", ".webp", every_clip, write_encoded<encode_webp>, nullptr, webp_available,
+    FilmFormat{"webp", ".webp", every_clip, write_webp, nullptr, webp_available,
                "this pantin was built without WebP (make WEBP=1)"},
     FilmFormat{"gif", ".gif", first_clip, write_encoded<encode_gif>, nullptr, gif_available,
                "this pantin was built without GIF (make GIF=1)"},
     FilmFormat{"apng", ".apng", FilmFormat::Default::fallback, write_encoded<encode_apng>},
-    FilmFormat{"mp4", ".mp4", never, write_mp4, nullptr, mp4_available,
+    FilmFormat{"mp4", ".mp4", never, write_film_as_mp4, nullptr, mp4_available,
                "there is no ffmpeg on this machine (Debian: apt-get install ffmpeg)"},
     FilmFormat{"png", "", never, write_frames},
     FilmFormat{"bvh", ".bvh", never, nullptr, to_bvh},

@@ -10,6 +10,15 @@ namespace pantin {
 
 namespace {
 
+TypeGuess read_guess(const JsonReader& reader) {
+    return {reader.at("type").text(), reader.at("confidence").number(0, 1)};
+}
+
+void write_guess(Json& json, const TypeGuess& guess) {
+    json["type"] = guess.type;
+    json["confidence"] = guess.confidence;
+}
+
 PageCharacter read_page_character(const JsonReader& reader) {
     PageCharacter character;
     character.folder = reader.at("folder").text();
@@ -24,6 +33,8 @@ PageCharacter read_page_character(const JsonReader& reader) {
     character.score = reader.at("score").number(0, 1);
     character.status = reader.at("status").text();
     if (reader.has("exact_mask")) character.exact_mask = reader.at("exact_mask").boolean();
+    if (reader.has("type")) character.found = read_guess(reader);
+    if (reader.has("second")) character.second = read_guess(reader.at("second"));
     return character;
 }
 
@@ -59,6 +70,8 @@ std::string page_to_json(const Page& page) {
         item["score"] = character.score;
         item["status"] = character.status;
         if (character.exact_mask) item["exact_mask"] = true;
+        if (character.found) write_guess(item, *character.found);
+        if (character.second) write_guess(item["second"], *character.second);
         json["characters"].push_back(item);
     }
     return to_json_text(json);

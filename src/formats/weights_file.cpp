@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/plural.hpp"
 #include "pantin/error.hpp"
 
 namespace pantin {
@@ -34,7 +35,8 @@ public:
                 fail("a line begins with bone or v");
         }
         if (bones_ != rig_.bones.size())
-            fail("names " + std::to_string(bones_) + " bones of " + std::to_string(rig_.bones.size()));
+            fail("names " + count_of(static_cast<long>(bones_), "bone") + " of " +
+                 std::to_string(rig_.bones.size()));
         for (std::size_t v = 0; v < seen_.size(); ++v)
             if (!seen_[v]) fail("misses the weights of vertex " + std::to_string(v + 1));
         return weights_;

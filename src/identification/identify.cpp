@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/math.hpp"
+#include "core/suggestion.hpp"
 #include "identification/evidence.hpp"
 #include "pantin/error.hpp"
 
@@ -42,7 +43,6 @@ long inner_border(const LabelMap& labels) {
 
 // A head alone, a blob, a scribble.
 void reject_what_cannot_move(const SkeletonGraph& graph, const LabelMap& labels) {
-    if (graph.edges.empty()) reject("a blob: its skeleton has no edge");
     int ends = 0, moving_ends = 0;
     bool head_end = false;
     for (const SkeletonVertex& v : graph.vertices) {
@@ -206,7 +206,11 @@ void sort_by_score(std::vector<Candidate>& candidates) {
 const ReferenceSkeleton& named(const std::vector<ReferenceSkeleton>& references, const std::string& name) {
     const auto found =
         std::find_if(references.begin(), references.end(), [&](auto& r) { return r.name == name; });
-    if (found == references.end()) throw Error(ErrorKind::input, "there is no reference '" + name + "'");
+    if (found == references.end()) {
+        std::vector<std::string> names;
+        for (const ReferenceSkeleton& reference : references) names.push_back(reference.name);
+        throw Error(ErrorKind::input, "there is no reference '" + name + "'" + did_you_mean(name, names));
+    }
     return *found;
 }
 
@@ -260,7 +264,8 @@ Identification identify(const SkeletonGraph& graph, const LabelMap& labels,
                         const std::vector<ReferenceSkeleton>& references,
                         const IdentificationOptions& options) {
     if (references.empty()) throw Error(ErrorKind::input, "there is no reference skeleton to compare with");
-    reject_what_cannot_move(graph, labels);
+    if (graph.edges.empty()) reject("a blob: its skeleton has no edge");
+    if (options.reference.empty()) reject_what_cannot_move(graph, labels);
     const LabelledGraph drawn = normalised(to_labelled_graph(graph));
     const Traits traits = measure_traits(graph, labels);
     // The references that stand on their own …

@@ -5,9 +5,10 @@
 #include "image/other_formats.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <sstream>
+
+#include "core/shell_word.hpp"
 
 namespace pantin {
 
@@ -50,18 +51,6 @@ OtherFormat format_of(ByteView bytes) {
     return {};
 }
 
-// As a shell takes it for one word.
-std::string quoted(const std::string& word) {
-    const auto is_plain = [](unsigned char c) {
-        return c >= 0x80 || std::isalnum(c) ||
-               std::string_view("/._-+,:@%=").find(static_cast<char>(c)) != std::string_view::npos;
-    };
-    if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
-    std::string result = "'";
-    for (const char c : word) result += c == '\'' ? "'\\''" : std::string(1, c);
-    return result + "'";
-}
-
 } // namespace
 
 std::string convert_it(const std::string& command, const std::string& file) {
@@ -70,10 +59,10 @@ std::string convert_it(const std::string& command, const std::string& file) {
     std::string line = "convert it:";
     std::istringstream words(command);
     for (std::string word; words >> word;) {
-        if (word == "IN") word = quoted(file);
-        if (word == "IN[0]") word = quoted(file + "[0]");
-        if (word == "OUT") word = quoted(stem.string() + ".png");
-        if (word == "STEM") word = quoted(stem.string());
+        if (word == "IN") word = shell_word(file);
+        if (word == "IN[0]") word = shell_word(file + "[0]");
+        if (word == "OUT") word = shell_word(stem.string() + ".png");
+        if (word == "STEM") word = shell_word(stem.string());
         line += " " + word;
     }
     return line;

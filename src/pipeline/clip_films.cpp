@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/suggestion.hpp"
 #include "formats/file_names.hpp"
 #include "pantin/error.hpp"
 
@@ -29,8 +30,10 @@ std::vector<ClipFilm> clip_films(const Character& c, Context& context) {
     const std::string motion = context.motion() ? context.motion()->motion.name : "";
     std::vector<ClipFilm> films;
     std::string names;
+    std::vector<std::string> known;
     for (const BoneAnimation& animation : c.animations) {
         names += (names.empty() ? "" : ", ") + animation.name;
+        known.push_back(animation.name);
         if (wanted != "all" && animation.name != wanted) continue;
         const bool first = &animation == &c.animations.front();
         films.push_back(
@@ -40,8 +43,8 @@ std::vector<ClipFilm> clip_films(const Character& c, Context& context) {
         if (wanted != "all") break;
     }
     if (films.empty())
-        throw CharacterRejected("render",
-                                "the " + c.reference.name + " has no clip '" + wanted + "' (" + names + ")");
+        throw CharacterRejected("render", "the " + c.reference.name + " has no clip '" + wanted + "' (" +
+                                              names + ")" + did_you_mean(wanted, known));
     return films;
 }
 

@@ -72,7 +72,7 @@ void write_film(const Film& film, const fs::path& folder, const std::string& ste
     for (const FilmFormat& format : film_formats())
         if (format.film && wants(request, format, first))
             format.film(format.ending.empty() ? frames_folder : folder / (stem + std::string(format.ending)),
-                        film.frames, film.fps);
+                        film.frames, film.fps, request.quality);
 }
 
 void write_motions(const Rig& rig, const BoneAnimation& animation, const fs::path& folder,

@@ -7,6 +7,7 @@
 #include "core/file.hpp"
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
+#include "core/suggestion.hpp"
 #include "pantin/error.hpp"
 #include "pantin/options.hpp"
 
@@ -236,8 +237,8 @@ Options make_preset(std::string_view name) {
     Options options;
     if (name == "default") return options;
     if (name != "thesis")
-        throw Error(ErrorKind::usage,
-                    "--preset: there is no preset '" + std::string(name) + "' (default, thesis)");
+        throw Error(ErrorKind::usage, "--preset: there is no preset '" + std::string(name) +
+                                          "' (default, thesis)" + did_you_mean(name, {"default", "thesis"}));
     options.detection.working_size = 321; // ch. 5: the network's input
     options.detection.flatten_sheet = false; // 4.2: the picture as it is
     options.segmentation.mirror = false;  // 4.3: one view of the drawing
@@ -269,8 +270,12 @@ void apply_config_text(Options& options, const std::string& text, const std::str
     flatten(JsonReader(json, source), "", given);
     take_former_names(given);
     visit_options(options, Setter{given});
-    if (!given.empty())
-        throw Error(ErrorKind::input, source + ": there is no option '" + given.begin()->first + "'");
+    if (given.empty()) return;
+    std::vector<std::string> names;
+    for (const auto& [name, value] : list_options(options)) names.push_back(name);
+    const std::string& unknown = given.begin()->first;
+    throw Error(ErrorKind::input,
+                source + ": there is no option '" + unknown + "'" + did_you_mean(unknown, names));
 }
 
 void apply_config(Options& options, const std::filesystem::path& file) {

@@ -14,6 +14,8 @@
 #include "pipeline/clip_films.hpp"
 #include "pipeline/detected_page.hpp"
 #include "pipeline/film.hpp"
+#include "pipeline/motion_notice.hpp"
+#include "pipeline/page_types.hpp"
 #include "pipeline/scene.hpp"
 
 namespace pantin {
@@ -52,7 +54,7 @@ void run_steps(Character& c, const fs::path& folder, Step first, Step last, Cont
         save_segmentation(folder, c.segmentation, settings.trace);
         c.reached = Step::segment;
         // The files are there: whoever knows better corrects labels.png and goes on with the next step.
-        reject_scribble(c.segmentation, options.segmentation);
+        if (settings.overrides.reference.empty()) reject_scribble(c.segmentation, options.segmentation);
     }
 
     // Step 3 (4.4): the Voronoi skeleton of the silhouette as a labelled graph.
@@ -73,6 +75,7 @@ void run_steps(Character& c, const fs::path& folder, Step first, Step last, Cont
     // Step 5 (4.6): end-effectors matched, mesh and skin weights made, clips carried over to the bones.
     if (runs(Step::rig)) {
         c.reference = choose_reference(c.identification, context.references(), settings.blend);
+        notice_motion(folder, c, context);
         c.rig = make_rig(c, settings.mapping, context);
         c.texture = make_texture(c);
         c.animations = make_animations(c.rig, c.reference, context);
@@ -85,6 +88,7 @@ void run_steps(Character& c, const fs::path& folder, Step first, Step last, Cont
 
     // Step 6 (4.6, 6.1): the clips, frame by frame.
     if (runs(Step::render)) {
+        if (first == Step::render) notice_motion(folder, c, context);
         for (const ClipFilm& clip : clip_films(c, context)) {
             write_motions(c.rig, clip.animation, folder, clip.stem, settings.render, clip.first);
             if (!wants_pictures(settings.render)) continue;
@@ -144,6 +148,8 @@ AnimatedPage animate_page(const fs::path& image, const fs::path& out, Context& c
         entry.status = animate_character(character, out / entry.folder, context, [&](Step step) {
             context.progress(entry.folder + ": " + name_of(step), done++ / total);
         });
+        if (character.reached >= Step::identify)
+            set_type(entry, character.identification, context.references());
         done = before + static_cast<double>(step_names.size() - 1);
         if (!scene && !keep_intermediate) character = {}; // its pictures are not needed any more
     }
@@ -207,6 +213,7 @@ void run_step(const fs::path& folder, const Settings& settings, Step step) {
     try {
         Character character = load_character(folder, step, context);
         run_steps(character, folder, step, step, context, [&](Step s) { context.progress(name_of(s)); });
+        if (step == Step::identify) update_type(folder, character.identification, context.references());
     } catch (const CharacterRejected& rejected) {
         const std::string status = rejected.step() + ": " + rejected.what();
         set_status(folder, status);

@@ -11,6 +11,7 @@
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
 #include "core/resources.hpp"
+#include "core/suggestion.hpp"
 #include "pantin/error.hpp"
 #include "pantin/reference.hpp"
 #include "reference/named.hpp"
@@ -247,12 +248,15 @@ std::vector<ReferenceSkeleton> load_references(const std::filesystem::path& dire
 
 const ReferenceSkeleton& find_reference(const std::vector<ReferenceSkeleton>& references,
                                         const std::string& name) {
-    std::string names;
+    std::string list;
+    std::vector<std::string> names;
     for (const ReferenceSkeleton& reference : references) {
         if (reference.name == name) return reference;
-        names += (names.empty() ? "" : ", ") + reference.name;
+        list += (list.empty() ? "" : ", ") + reference.name;
+        names.push_back(reference.name);
     }
-    throw Error(ErrorKind::input, "there is no reference '" + name + "' (" + names + ")");
+    throw Error(ErrorKind::input,
+                "there is no reference '" + name + "' (" + list + ")" + did_you_mean(name, names));
 }
 
 } // namespace pantin

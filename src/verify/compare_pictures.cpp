@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/plural.hpp"
 #include "export/decode_film.hpp"
 #include "pantin/export.hpp"
 #include "verify/bytes.hpp"
@@ -72,8 +73,8 @@ namespace {
 void compare_frames(Differences& differences, const DecodedFilm& first, const DecodedFilm& second) {
     const std::size_t frames = std::min(first.frames.size(), second.frames.size());
     if (first.frames.size() != second.frames.size())
-        differences.text("", std::to_string(first.frames.size()) + " frames",
-                         std::to_string(second.frames.size()) + " frames");
+        differences.text("", count_of(static_cast<long>(first.frames.size()), "frame"),
+                         count_of(static_cast<long>(second.frames.size()), "frame"));
     for (std::size_t i = 0; i < frames; ++i) {
         const std::string place = "frame " + std::to_string(i + 1) + ", ";
         differences.number(place + "delay", first.delays[i], second.delays[i]);

@@ -8,6 +8,7 @@
 
 #include "core/decimal.hpp"
 #include "core/json.hpp"
+#include "core/plural.hpp"
 #include "verify/values.hpp"
 
 namespace pantin {
@@ -123,7 +124,8 @@ void compare_words(Differences& differences, const std::string& first, const std
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
         if (a[i] != b[i]) compare_lines(differences, "line " + std::to_string(i + 1), a[i], b[i]);
     if (a.size() != b.size())
-        differences.text("", std::to_string(a.size()) + " lines", std::to_string(b.size()) + " lines");
+        differences.text("", count_of(static_cast<long>(a.size()), "line"),
+                         count_of(static_cast<long>(b.size()), "line"));
 }
 
 void compare_bytes(Differences& differences, const std::string& first, const std::string& second) {
@@ -131,8 +133,8 @@ void compare_bytes(Differences& differences, const std::string& first, const std
         differences.number("byte " + std::to_string(i), static_cast<unsigned char>(first[i]),
                            static_cast<unsigned char>(second[i]));
     if (first.size() != second.size())
-        differences.text("", std::to_string(first.size()) + " bytes",
-                         std::to_string(second.size()) + " bytes");
+        differences.text("", count_of(static_cast<long>(first.size()), "byte"),
+                         count_of(static_cast<long>(second.size()), "byte"));
 }
 
 } // namespace pantin

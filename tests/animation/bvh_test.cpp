@@ -91,7 +91,7 @@ TEST_CASE("A damaged BVH file is refused with its line", "[motion]") {
     CHECK(refusal(replaced(arm, "Yrotation\n    End", "Wrotation\n    End"))
               .find("line 9: 'Wrotation' is no channel") != std::string::npos);
     CHECK(refusal(replaced(arm, "Frames: 2", "Frames: 3")).find("line 21: ") != std::string::npos);
-    CHECK(refusal(replaced(arm, "Frames: 2", "Frames: 1")).find("more values than 1 frames") !=
+    CHECK(refusal(replaced(arm, "Frames: 2", "Frames: 1")).find("more values than those of 1 frame") !=
           std::string::npos);
     CHECK(refusal(replaced(arm, "Frames: 2", "Frames: 999999")).find("too short") != std::string::npos);
     CHECK(refusal(replaced(arm, "Frame Time: 0.04", "Frame Time: 0")).find("a frame must take") !=

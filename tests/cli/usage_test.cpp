@@ -46,6 +46,12 @@ TEST_CASE("The version names the optional libraries", "[cli]") {
     };
     CHECK(named("GLPK") == ilp_available());
     CHECK(named("GIF") == gif_available());
+    CHECK(outcome.out.find("\nnetwork kernel: ") != std::string::npos);
+    CHECK(outcome.out.find("\nweights (compiled in): detector.safetensors ") != std::string::npos);
+    CHECK((outcome.out.find("licence: GPL-3.0-or-later") != std::string::npos) == ilp_available());
+    CHECK(outcome.out.ends_with("weights CC BY 4.0\n"));
+    const Outcome other = run_pantin({"--version"}, {{"PANTIN_WEIGHTS", "no such folder"}});
+    CHECK(other.out.find("weights (no such folder): detector.safetensors missing") != std::string::npos);
     CHECK(outcome.err.empty());
 }
 
@@ -66,6 +72,8 @@ TEST_CASE("A wrong command line is one line on standard error and exit code 2", 
         {"animate", "page.png", "-o", out, "--fps", "0"},
         {"animate", "page.png", "-o", out, "--fps", "nan"},
         {"animate", "page.png", "-o", out, "--size", "1000000"},
+        {"animate", "page.png", "-o", out, "--quality", "101"},
+        {"animate", "page.png", "-o", out, "--quality", "8x"},
         {"animate", "page.png", "-o", out, "--background", "#12345"},
         {"animate", "page.png", "-o", out, "--background", "#12345g"},
         {"segment"},
@@ -78,6 +86,28 @@ TEST_CASE("A wrong command line is one line on standard error and exit code 2", 
     CHECK(outcome.err.starts_with("pantin: "));
     CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
     CHECK_FALSE(std::filesystem::exists(out));
+}
+
+TEST_CASE("What is nearly a command, an option or a value is suggested", "[cli]") {
+    const auto said = [](const std::vector<std::string>& line) { return run_pantin(line).err; };
+    CHECK(said({"anmate", "page.png"}) ==
+          "pantin: there is no command 'anmate'; did you mean 'animate'? (pantin --help)\n");
+    CHECK(said({"dance"}) == "pantin: there is no command 'dance' (pantin --help)\n");
+    CHECK(said({"animate", "page.png", "--fromat=gif", "-o", "out"}) ==
+          "pantin: there is no option '--fromat'; did you mean '--format'? (pantin animate --help)\n");
+    const std::vector<std::string> page{"animate", "page.png", "-o", "out"};
+    const auto ends = [&](const std::string& option, const std::string& value, const std::string& end) {
+        std::vector<std::string> line = page;
+        line.insert(line.end(), {option, value});
+        const std::string text = said(line);
+        CAPTURE(text);
+        CHECK(text.find("; did you mean '" + end + "'?") != std::string::npos);
+    };
+    ends("--format", "webpp", "webp");
+    ends("--detector", "contuor", "contour");
+    ends("--preset", "thesi", "thesis");
+    ends("--quality", "losless", "lossless");
+    ends("--reference", "humaniod", "humanoid");
 }
 
 TEST_CASE("Standard output that cannot be written is an output error", "[cli]") {

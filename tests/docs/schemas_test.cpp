@@ -286,7 +286,9 @@ TEST_CASE("No file with a key too many, a missing key or a value of another type
     const auto damages = [](const std::string& schema, const Json& value, const Allowed& allowed = {}) {
         return Damager(schema, value, allowed).run();
     };
-    CHECK(damages("page", Json::parse(read(animated_demo() / "page.json"))) > 20);
+    // What is known of identified characters alone.
+    const Allowed identified{{}, {"characters*.type", "characters*.confidence", "characters*.second"}, {}};
+    CHECK(damages("page", Json::parse(read(animated_demo() / "page.json")), identified) > 20);
     CHECK(damages("segmentation", character_json("segmentation.json"), {{"router"}, {}, {}}) > 40);
     CHECK(damages("contour", character_json("contour.json")) > 10);
     CHECK(damages("skeleton", character_json("skeleton.json")) > 25);

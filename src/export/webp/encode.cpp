@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Animated WebP, lossless, with alpha (libwebp's WebPAnimEncoder).
+// Animated WebP, lossless or lossy, with alpha (libwebp's WebPAnimEncoder).
 #include "pantin/export.hpp"
 
 #include <memory>
@@ -32,6 +32,16 @@ struct Picture {
 
 [[noreturn]] void fail(const std::string& what) { throw Error(ErrorKind::internal, "libwebp: " + what); }
 
+// Colours are lossy, alpha is not: an edge that is not quite opaque shows on every background.
+WebPConfig lossy_config(int quality) {
+    WebPConfig config;
+    if (!WebPConfigInit(&config)) fail("the library's version differs");
+    config.quality = static_cast<float>(quality);
+    config.alpha_quality = 100;
+    config.thread_level = 0;
+    return config;
+}
+
 WebPConfig lossless_config() {
     WebPConfig config;
     if (!WebPConfigInit(&config)) fail("the library's version differs");
@@ -63,7 +73,8 @@ void import_frame(const RgbaImage& frame, Picture& picture) {
 
 bool webp_available() { return true; }
 
-std::vector<unsigned char> encode_webp(const std::vector<RgbaImage>& frames, double fps) {
+std::vector<unsigned char> encode_webp(const std::vector<RgbaImage>& frames, double fps,
+                                       std::optional<int> quality) {
     if (frames.empty()) throw Error(ErrorKind::internal, "an animation without frames");
     WebPAnimEncoderOptions options;
     if (!WebPAnimEncoderOptionsInit(&options)) fail("the library's version differs");
@@ -71,7 +82,7 @@ std::vector<unsigned char> encode_webp(const std::vector<RgbaImage>& frames, dou
     options.anim_params.bgcolor = 0;
     const Encoder encoder(WebPAnimEncoderNew(frames[0].width(), frames[0].height(), &options));
     if (!encoder) fail("cannot make frames of this size");
-    const WebPConfig config = lossless_config();
+    const WebPConfig config = quality ? lossy_config(*quality) : lossless_config();
     for (std::size_t i = 0; i < frames.size(); ++i) {
         Picture picture;
         import_frame(frames[i], picture);
