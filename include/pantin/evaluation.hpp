@@ -75,6 +75,7 @@ struct CharacterResult {
     std::string identified;                 // reference; "" when the character did not get so far
     double confidence = 0;
     std::string status;          // "ok", "step: reason", "not found"
+    std::vector<Warning> warnings{}; // of what was found
     double mean_overlap() const; // over the parts that the truth has; −1 when it has none
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pantin/detection.hpp"
+#include "pantin/warnings.hpp"
 
 namespace pantin {
 
@@ -15,6 +16,7 @@ struct PageCharacter {
     Box box;                     // page pixels
     double scale = 1, score = 0; // working pixels per page pixel; detector's score, 0 to 1
     std::string status = "ok";   // or "step: reason", or unfinished_status
+    std::vector<Warning> warnings{}; // of the last `rig` or `render`
 };
 // Of a character whose page `animate` is still at work on, or was when it was cut off.
 inline constexpr const char* unfinished_status = "unfinished";

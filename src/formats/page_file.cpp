@@ -2,6 +2,8 @@
 // The page and its characters to the text of page.json, and back (thesis 4.2).
 #include "formats/page_file.hpp"
 
+#include <algorithm>
+
 #include "core/file.hpp"
 #include "formats/file_names.hpp"
 #include "formats/json_values.hpp"
@@ -9,6 +11,22 @@
 namespace pantin {
 
 namespace {
+
+Warning read_warning(const JsonReader& reader) {
+    const std::string name = reader.at("kind").text();
+    const auto row = std::find_if(warning_table.begin(), warning_table.end(),
+                                  [&](const WarningRow& r) { return r.name == name; });
+    if (row == warning_table.end()) reader.at("kind").fail("there is no warning '" + name + "'");
+    return {row->kind, reader.at("value").number(0, 1), reader.at("text").text()};
+}
+
+Json warning_to_json(const Warning& warning) {
+    Json json;
+    json["kind"] = row_of(warning.kind).name;
+    json["value"] = warning.value;
+    json["text"] = warning.text;
+    return json;
+}
 
 PageCharacter read_page_character(const JsonReader& reader) {
     PageCharacter character;
@@ -23,6 +41,9 @@ PageCharacter read_page_character(const JsonReader& reader) {
     character.scale = reader.at("scale").number(0, 1);
     character.score = reader.at("score").number(0, 1);
     character.status = reader.at("status").text();
+    if (reader.has("warnings"))
+        for (const JsonReader& warning : reader.at("warnings").elements(0, warning_count))
+            character.warnings.push_back(read_warning(warning));
     return character;
 }
 
@@ -44,6 +65,8 @@ std::string page_to_json(const Page& page) {
         item["scale"] = character.scale;
         item["score"] = character.score;
         item["status"] = character.status;
+        for (const Warning& warning : character.warnings)
+            item["warnings"].push_back(warning_to_json(warning));
         json["characters"].push_back(item);
     }
     return to_json_text(json);

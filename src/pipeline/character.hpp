@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "formats/model_file.hpp"
+#include "pantin/warnings.hpp"
 #include "pipeline/context.hpp"
 
 namespace pantin {
@@ -25,6 +26,7 @@ struct Character {
     RgbImage drawing; // 1: the crop, page pixels
     Mask mask;        //    working size
     std::optional<LabelMap> given_labels;
+    bool mask_given = false; // by the user, instead of found
 
     Segmentation segmentation;       // 2
     Skeletonization skeletonization; // 3
@@ -36,6 +38,8 @@ struct Character {
     Rig rig;
     RgbaImage texture;
     std::vector<BoneAnimation> animations;
+
+    std::vector<Warning> warnings; // of 5 and 6
 };
 
 // A character whose folder has the files of the steps before `step`: what that step takes, read whole.

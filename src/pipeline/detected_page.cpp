@@ -37,6 +37,13 @@ fs::path resolved(const fs::path& folder) {
     return error ? folder : canonical;
 }
 
+// The page.json of the page to which a resolved folder belongs; empty when there is none.
+fs::path page_beside(const fs::path& folder) {
+    const fs::path file = folder.parent_path() / file_names::page;
+    std::error_code ignored;
+    return fs::exists(file, ignored) ? file : fs::path();
+}
+
 } // namespace
 
 AnimatedPage detect_characters(const fs::path& image, Context& context) {
@@ -65,6 +72,7 @@ AnimatedPage detect_characters(const fs::path& image, Context& context) {
         Character& character = result.characters.emplace_back();
         character.drawing = std::move(detected.drawing);
         character.mask = std::move(detected.mask);
+        character.mask_given = given.has_value();
         if (given) character.given_labels = std::move(given->labels);
     }
     return result;
@@ -85,16 +93,23 @@ void require_folder(const fs::path& folder) {
     if (!fs::is_directory(folder, error)) throw Error(ErrorKind::input, folder.string() + ": no such folder");
 }
 
-void set_status(const fs::path& folder, const std::string& status) {
-    const fs::path whole = resolved(folder), file = whole.parent_path() / file_names::page;
-    std::error_code ignored;
-    if (!fs::exists(file, ignored)) return;
+bool is_given(const fs::path& folder) {
+    const fs::path file = page_beside(resolved(folder));
+    return !file.empty() && read_page(file).detector == "given";
+}
+
+void set_result(const fs::path& folder, const std::string& status,
+                const std::optional<std::vector<Warning>>& warnings) {
+    const fs::path whole = resolved(folder), file = page_beside(whole);
+    if (file.empty()) return;
     Page page = read_page(file);
+    const std::string before = page_to_json(page);
     for (PageCharacter& character : page.characters) {
-        if (character.folder != whole.filename() || character.status == status) continue;
+        if (character.folder != whole.filename()) continue;
         character.status = status;
-        write_page(whole.parent_path(), page);
+        if (warnings) character.warnings = *warnings;
     }
+    if (page_to_json(page) != before) write_page(whole.parent_path(), page);
 }
 
 } // namespace pantin

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "pipeline/animated_page.hpp"
 
@@ -17,7 +20,11 @@ void save_detection(const std::filesystem::path& out, const AnimatedPage& detect
 
 // Error(input) when it is none.
 void require_folder(const std::filesystem::path& folder);
-// Keeps the entry of the character in the page.json beside its folder; a folder may also stand alone.
-void set_status(const std::filesystem::path& folder, const std::string& status);
+// Whether the page.json beside a character's folder says that its mask was given; no when there is none.
+bool is_given(const std::filesystem::path& folder);
+// Keeps the entry of the character in the page.json beside its folder; a folder may also stand alone. Without
+// warnings those of the entry stay.
+void set_result(const std::filesystem::path& folder, const std::string& status,
+                const std::optional<std::vector<Warning>>& warnings);
 
 } // namespace pantin

@@ -15,6 +15,7 @@
 #include "pipeline/detected_page.hpp"
 #include "pipeline/film.hpp"
 #include "pipeline/scene.hpp"
+#include "pipeline/self_check.hpp"
 
 namespace pantin {
 
@@ -94,6 +95,12 @@ void run_steps(Character& c, const fs::path& folder, Step first, Step last, Cont
         }
         c.reached = Step::render;
     }
+
+    // What a person would see at once in the result.
+    if (last >= Step::rig) {
+        c.warnings = check_result(c, context);
+        for (const Warning& warning : c.warnings) context.warn(folder.string() + ": " + warning.text);
+    }
 }
 
 // Steps 2 to 6 on one character. Returns its status: "ok", or the step and the reason why it cannot go on.
@@ -135,6 +142,7 @@ AnimatedPage animate_page(const fs::path& image, const fs::path& out, Context& c
         entry.status = animate_character(character, out / entry.folder, context, [&](Step step) {
             context.progress(entry.folder + ": " + name_of(step), done++ / total);
         });
+        entry.warnings = character.warnings;
         done = before + static_cast<double>(step_names.size() - 1);
         if (!scene && !keep_intermediate) character = {}; // its pictures are not needed any more
     }
@@ -195,15 +203,18 @@ namespace {
 void run_step(const fs::path& folder, const Settings& settings, Step step) {
     require_folder(folder);
     Context context(settings);
+    std::optional<std::vector<Warning>> warnings; // those of the films before are still of the films
     try {
         Character character = load_character(folder, step, context);
+        character.mask_given = is_given(folder);
         run_steps(character, folder, step, step, context, [&](Step s) { context.progress(name_of(s)); });
+        if (step >= Step::rig) warnings = character.warnings;
     } catch (const CharacterRejected& rejected) {
         const std::string status = rejected.step() + ": " + rejected.what();
-        set_status(folder, status);
+        set_result(folder, status, std::vector<Warning>());
         throw Error(ErrorKind::not_animated, folder.string() + ": " + status);
     }
-    set_status(folder, "ok");
+    set_result(folder, "ok", warnings);
 }
 
 } // namespace
