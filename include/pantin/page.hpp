@@ -12,10 +12,10 @@
 namespace pantin {
 
 struct PageCharacter {
-    std::string folder;          // name below the page's folder, "character-1"
-    Box box;                     // page pixels
-    double scale = 1, score = 0; // working pixels per page pixel; detector's score, 0 to 1
-    std::string status = "ok";   // or "step: reason", or unfinished_status
+    std::string folder;              // name below the page's folder, "character-1"
+    Box box;                         // page pixels
+    double scale = 1, score = 0;     // working pixels per page pixel; detector's score, 0 to 1
+    std::string status = "ok";       // or "step: reason", or unfinished_status
     std::vector<Warning> warnings{}; // of the last `rig` or `render`
 };
 // Of a character whose page `animate` is still at work on, or was when it was cut off.

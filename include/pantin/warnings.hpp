@@ -83,8 +83,8 @@ double filled_crop(const LabelMap& labels);
 // without ink. No error. Own.
 double lost_ink(const Grid<float>& ink, const Mask& mask, const LabelMap& labels);
 
-// Share of the mask's pixels as far outside of the silhouette, 0 to 1. Only of a mask that the user gave: from
-// a detected one the step after it rightly cuts what is paper. 0 of an empty mask. No error. Own.
+// Share of the mask's pixels as far outside of the silhouette, 0 to 1. Only of a mask that the user gave:
+// from a detected one the step after it rightly cuts what is paper. 0 of an empty mask. No error. Own.
 double lost_mask(const Mask& mask, const LabelMap& labels);
 
 // The mesh at a few evenly spaced times of a clip, the first of them its start; world units.
@@ -105,10 +105,10 @@ double hanging_head(const Rig& rig, const LabelMap& labels, const PosedClip& cli
 // label of at least 1 % of the silhouette. 0 without limbs or body. No error. Own.
 double still_limbs(const Rig& rig, const LabelMap& labels, const PosedClip& clip);
 
-// How far several drawn legs are one limb to the rig, 0 to 1: the share of a piece's rows of pixels (pieces as
-// above, of at least 3 %) that cross the outlines of one leg more than end in it, that is at least 2k + 2 runs
-// of ink (at least 0.35 dark) for k legs; of the piece where it is largest. A leg: a bone that a `step` track
-// of the reference moves. No error. Own.
+// How far several drawn legs are one limb to the rig, 0 to 1: the share of a piece's rows of pixels (pieces
+// as above, of at least 3 %) that cross the outlines of one leg more than end in it, that is at least 2k + 2
+// runs of ink (at least 0.35 dark) for k legs; of the piece where it is largest. A leg: a bone that a `step`
+// track of the reference moves. No error. Own.
 double joined_limbs(const Grid<float>& ink, const LabelMap& labels, const Rig& rig,
                     const ReferenceSkeleton& reference);
 

@@ -286,8 +286,7 @@ private:
     void count(const BatchCharacter& character) {
         ++characters_;
         marked_ += !character.warnings.empty();
-        for (const Warning& warning : character.warnings)
-            ++warnings_[static_cast<std::size_t>(warning.kind)];
+        for (const Warning& warning : character.warnings) ++warnings_[static_cast<std::size_t>(warning.kind)];
     }
     // "2 of 40 characters: lost_ink 1, unsure_type 1"
     std::string warnings() const {

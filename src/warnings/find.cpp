@@ -11,9 +11,7 @@ namespace pantin {
 
 namespace {
 
-std::string percent(double share) {
-    return std::to_string(static_cast<int>(std::rint(100 * share))) + " %";
-}
+std::string percent(double share) { return std::to_string(static_cast<int>(std::rint(100 * share))) + " %"; }
 
 class Findings {
 public:
@@ -83,12 +81,12 @@ void judge_motion(Findings& findings, const ResultToCheck& r, const Grid<float>&
 }
 
 void judge_type(Findings& findings, const ResultToCheck& r) {
-    const std::string second =
-        r.reference_given ? "" : second_type(r.identification, r.references);
+    const std::string second = r.reference_given ? "" : second_type(r.identification, r.references);
     if (second.empty()) return;
     findings.judge(WarningKind::unsure_type, r.identification.confidence,
                    "identified as " + r.identification.reference + " with a confidence of " +
-                       percent(r.identification.confidence) + "; --reference " + second + " is the next choice");
+                       percent(r.identification.confidence) + "; --reference " + second +
+                       " is the next choice");
 }
 
 } // namespace

@@ -12,10 +12,10 @@ namespace pantin {
 
 namespace {
 
-constexpr double least_piece = 0.03;    // of the silhouette's area
-constexpr float inked = 0.35F;          // darkness
-constexpr int outline_reach = 2;        // pixels: the outer half of a pen's stroke lies outside of the piece
-constexpr int runs_of_one_leg = 2;      // its left and its right outline
+constexpr double least_piece = 0.03; // of the silhouette's area
+constexpr float inked = 0.35F;       // darkness
+constexpr int outline_reach = 2;     // pixels: the outer half of a pen's stroke lies outside of the piece
+constexpr int runs_of_one_leg = 2;   // its left and its right outline
 
 // Indices of joints that step.
 std::set<int> stepping_joints(const ReferenceSkeleton& reference) {

@@ -120,8 +120,8 @@ double hanging_head(const Rig& rig, const LabelMap& labels, const PosedClip& cli
     if (centre_of(rest, head).y <= centre_of(rest, body).y) return 0;
     int hanging = 0;
     for (const Pose& pose : clip.poses)
-        hanging += centre_of(pose, head).y < centre_of(pose, body).y ||
-                   stiff_motion(rest, pose, head).cosine < 0;
+        hanging +=
+            centre_of(pose, head).y < centre_of(pose, body).y || stiff_motion(rest, pose, head).cosine < 0;
     return static_cast<double>(hanging) / static_cast<double>(clip.poses.size());
 }
 
