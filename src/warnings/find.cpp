@@ -93,13 +93,16 @@ void judge_type(Findings& findings, const ResultToCheck& r) {
 
 std::string second_type(const Identification& identification,
                         const std::vector<ReferenceSkeleton>& references) {
-    std::vector<std::string> types; // references that stand on their own, from best to worst
-    for (const Candidate& candidate : identification.candidates)
-        if (!candidate.evidence.empty() && find_reference(references, candidate.reference).like.empty())
-            types.push_back(candidate.reference);
+    const std::vector<Candidate>& candidates = identification.candidates; // from best to worst
     const ReferenceSkeleton& chosen = find_reference(references, identification.reference);
-    if (types.size() < 2 || types[0] != (chosen.like.empty() ? chosen.name : chosen.like)) return "";
-    return types[1];
+    if (candidates.front().reference != chosen.name || candidates.front().evidence.empty() ||
+        chosen.like == "any")
+        return "";
+    for (const Candidate& candidate : candidates)
+        if (find_reference(references, candidate.reference).like.empty() &&
+            candidate.reference != chosen.name && candidate.reference != chosen.like)
+            return candidate.reference;
+    return "";
 }
 
 std::vector<Warning> find_warnings(const ResultToCheck& result) {

@@ -103,6 +103,9 @@ TEST_CASE("A bird's next type is none that it is like, and a fish's type is not 
     bird.reference = "bird", bird.type = "flying";
     bird.candidates = {candidate("bird", 1), candidate("flying", 2), candidate("humanoid", 3)};
     CHECK(second_type(bird, references) == "humanoid");
+    // Its needs may decide for it although what it is like is not the best of those that stand on their own.
+    std::swap(bird.candidates[1], bird.candidates[2]);
+    CHECK(second_type(bird, references) == "humanoid");
     Identification fish = bird;
     fish.reference = fish.type = "fish";
     fish.candidates.insert(fish.candidates.begin(), candidate("fish", 0));
