@@ -74,8 +74,9 @@ struct CharacterResult {
     int pose_right = -1, expert_right = -1; // −1: not known
     std::string identified;                 // reference; "" when the character did not get so far
     double confidence = 0;
-    std::string status;          // "ok", "step: reason", "not found"
-    double mean_overlap() const; // over the parts that the truth has; −1 when it has none
+    std::string status;              // "ok", "step: reason", "not found"
+    std::vector<Warning> warnings{}; // of what was found
+    double mean_overlap() const;     // over the parts that the truth has; −1 when it has none
 };
 
 struct Evaluation {

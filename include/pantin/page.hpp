@@ -9,6 +9,7 @@
 
 #include "pantin/detection.hpp"
 #include "pantin/sheet.hpp"
+#include "pantin/warnings.hpp"
 
 namespace pantin {
 
@@ -25,6 +26,7 @@ struct PageCharacter {
     std::string status = "ok";              // or "step: reason", or unfinished_status
     bool exact_mask = false;                // mask.png is the silhouette to the pixel: the user gave it
     std::optional<TypeGuess> found, second; // what it moves like, and the best other one; of identification
+    std::vector<Warning> warnings{};        // of the last `rig` or `render`
 };
 // Of a character whose page `animate` is still at work on, or was when it was cut off.
 inline constexpr const char* unfinished_status = "unfinished";

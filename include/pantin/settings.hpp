@@ -49,7 +49,8 @@ struct Settings {
     RenderRequest render;
     // Called before each step when set; `share` of the work done so far, 0 to 1.
     std::function<void(const std::string& what, double share)> progress;
-    std::function<void(const std::string& line)> notice; // facts that the user wants to check
+    std::function<void(const std::string& line)> notice;  // facts that the user wants to check
+    std::function<void(const std::string& line)> warning; // "folder: text" of each warning (warnings.hpp)
 };
 
 } // namespace pantin

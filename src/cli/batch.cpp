@@ -2,11 +2,13 @@
 // pantin batch [-o DIR]: pages as lines of standard input, results as lines of standard output
 // (docs/batch.md)
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <map>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -232,6 +234,7 @@ private:
         settings.threads = 1; // threads share out the pages
         settings.progress = nullptr;
         settings.notice = nullptr;
+        settings.warning = nullptr;
         claim(options.out);
         return settings;
     }
@@ -268,7 +271,7 @@ private:
 
 class Output {
 public:
-    explicit Output(bool seconds, bool bar) : seconds_(seconds), bar_(bar) {}
+    Output(bool seconds, bool bar, bool quiet) : seconds_(seconds), bar_(bar), quiet_(quiet) {}
 
     // False when the reader has gone away.
     bool write(const BatchResult& result) {
@@ -278,6 +281,7 @@ public:
             const std::string image = result.image.value_or("no image");
             first_failure_ = "number " + std::to_string(lines_) + " (" + image + "): " + result.status;
         }
+        for (const BatchCharacter& character : result.characters) count(character);
         clear_progress();
         gone_ = !print(batch_line(result, seconds_) + "\n");
         if (gone_) return false;
@@ -288,6 +292,7 @@ public:
     // What the run ends with.
     int finish() const {
         clear_progress();
+        if (marked_ > 0 && !gone_ && !quiet_) print_warning(warnings());
         if (failed_ > 0 && !gone_) print_error(counts() + ", first " + first_failure_);
         return first_code_;
     }
@@ -297,6 +302,21 @@ private:
         return std::to_string(lines_) + " done" +
                (failed_ > 0 ? ", " + std::to_string(failed_) + " failed" : "");
     }
+    void count(const BatchCharacter& character) {
+        ++characters_;
+        marked_ += !character.warnings.empty();
+        for (const Warning& warning : character.warnings) ++warnings_[static_cast<std::size_t>(warning.kind)];
+    }
+    // "2 of 40 characters: lost_ink 1, unsure_type 1"
+    std::string warnings() const {
+        std::string text = std::to_string(marked_) + " of " + std::to_string(characters_) + " characters";
+        const char* before = ": ";
+        for (const WarningRow& row : warning_table) {
+            const std::size_t n = warnings_[static_cast<std::size_t>(row.kind)];
+            if (n > 0) text += std::exchange(before, ", ") + std::string(row.name) + " " + std::to_string(n);
+        }
+        return text;
+    }
     bool print(const std::string& text) {
         errno = 0;
         const bool written =
@@ -305,8 +325,10 @@ private:
         return written;
     }
 
-    bool seconds_, bar_, gone_ = false;
+    bool seconds_, bar_, quiet_, gone_ = false;
     std::size_t lines_ = 0, failed_ = 0;
+    std::size_t characters_ = 0, marked_ = 0; // with a warning
+    std::array<std::size_t, warning_count> warnings_{};
     int first_code_ = 0;
     std::string first_failure_;
 };
@@ -316,11 +338,12 @@ int run_batch(const Arguments& arguments) {
     Settings settings = make_settings(arguments.page.common, arguments.page.render);
     settings.overrides = arguments.page.overrides;
     settings.notice = nullptr;
+    settings.warning = nullptr;
     Networks networks(settings.weights);
     Context(settings, networks).prepare();
 
     Lines lines(arguments, networks);
-    Output output(arguments.seconds, static_cast<bool>(settings.progress));
+    Output output(arguments.seconds, static_cast<bool>(settings.progress), arguments.page.common.quiet);
     run_in_order(
         settings.threads, [&] { return lines.next(); },
         [&](const BatchResult& result) { return output.write(result); });

@@ -179,6 +179,7 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
     settings.render.picture.background = parse_colour(flags.background);
     if (!options.quiet && isatty(STDERR_FILENO)) settings.progress = show_progress;
     settings.notice = [options](const std::string& line) { print_result(options, line); };
+    if (!options.quiet) settings.warning = print_warning;
     return settings;
 }
 
@@ -199,6 +200,8 @@ void clear_progress() {
     if (bar_shown) std::fprintf(stderr, "\r\033[K");
     bar_shown = false;
 }
+
+void print_warning(const std::string& message) { print_error("warning: " + message); }
 
 void print_error(const std::string& message) {
     clear_progress();

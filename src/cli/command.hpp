@@ -43,6 +43,8 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags = 
 
 // One line on standard error, whatever the message holds.
 void print_error(const std::string& message);
+// The same for a warning.
+void print_warning(const std::string& message);
 // Without a bar when the share is negative, that is unknown.
 void show_progress(const std::string& what, double share);
 // Takes the progress bar off the terminal.

@@ -23,6 +23,7 @@ struct Answer {
     LabelMap labels;       // page size
     std::string folder, status, reference, expert, pose;
     double confidence = 0;
+    std::vector<Warning> warnings; // as page.json lists them
 };
 
 // A working-size picture at its place on the page.
@@ -99,6 +100,8 @@ std::vector<Answer> run_page(const TruePage& truth, const fs::path& out, const S
         answer.silhouette = foreground(answer.labels);
         answers.push_back(std::move(answer));
     }
+    page = read_page(out / file_names::page);
+    for (std::size_t i = 0; i < answers.size(); ++i) answers[i].warnings = page.characters[i].warnings;
     return answers;
 }
 
@@ -173,6 +176,7 @@ CharacterResult judge(const TruePage& truth, std::size_t k, const std::vector<An
     result.status = answer->status;
     result.identified = answer->reference;
     result.confidence = answer->confidence;
+    result.warnings = answer->warnings;
     if (!character.mask.empty()) {
         result.mask_overlap = overlap(answer->mask, character.mask);
         result.silhouette_overlap = overlap(answer->silhouette, character.mask);
@@ -193,6 +197,7 @@ Evaluation evaluate(const Dataset& dataset, const fs::path& out, const Settings&
             settings.progress(truth.id, static_cast<double>(i) / static_cast<double>(dataset.size()));
         Settings quiet = settings;
         quiet.progress = nullptr;
+        quiet.warning = nullptr;
         const std::vector<Answer> answers = run_page(truth, out / "pages" / truth.id, quiet);
         for (const Answer& answer : answers) {
             FoundCharacter found{truth.id, answer.score, -1, -1, 0, 0};

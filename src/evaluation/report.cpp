@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An evaluation as text, JSON and HTML.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -84,6 +85,20 @@ Stages stages_of(const Evaluation& evaluation) {
     return s;
 }
 
+// How many characters have a warning of each kind, in the order of the table.
+std::array<int, warning_count> warnings_of(const Evaluation& evaluation) {
+    std::array<int, warning_count> counts{};
+    for (const CharacterResult& c : evaluation.characters)
+        for (const Warning& warning : c.warnings) ++counts[static_cast<std::size_t>(warning.kind)];
+    return counts;
+}
+
+std::vector<std::string_view> kinds_of(const std::vector<Warning>& warnings) {
+    std::vector<std::string_view> kinds;
+    for (const Warning& warning : warnings) kinds.push_back(row_of(warning.kind).name);
+    return kinds;
+}
+
 int false_characters(const Evaluation& evaluation) {
     int count = 0;
     for (const FoundCharacter& f : evaluation.found) count += f.mask_overlap < 0.5;
@@ -138,6 +153,13 @@ std::string evaluation_to_text(const Evaluation& e) {
     text += line("\nstages: of %d characters detected %d, segmented %d, with a skeleton %d, identified %d, "
                  "rigged %d\n",
                  s.all, s.detected, s.segmented, s.skeleton, s.identified, s.rigged);
+    const auto marked =
+        std::count_if(e.characters.begin(), e.characters.end(), [](auto& c) { return !c.warnings.empty(); });
+    text += line("warnings: %td characters", marked);
+    const std::array<int, warning_count> warnings = warnings_of(e);
+    for (const WarningRow& row : warning_table)
+        text += line(", %s %d", std::string(row.name).c_str(), warnings[static_cast<std::size_t>(row.kind)]);
+    text += "\n";
     return text;
 }
 
@@ -168,6 +190,10 @@ std::string evaluation_to_json(const Evaluation& e) {
                       {"skeleton", s.skeleton},
                       {"identified", s.identified},
                       {"rigged", s.rigged}};
+    json["warnings"] = Json::object();
+    const std::array<int, warning_count> warnings = warnings_of(e);
+    for (const WarningRow& row : warning_table)
+        json["warnings"][std::string(row.name)] = warnings[static_cast<std::size_t>(row.kind)];
     json["results"] = Json::array();
     for (const CharacterResult& c : e.characters)
         json["results"].push_back(
@@ -179,7 +205,8 @@ std::string evaluation_to_json(const Evaluation& e) {
              {"mean_overlap", c.mean_overlap() < 0 ? Json(nullptr) : Json(c.mean_overlap())},
              {"identified", c.identified},
              {"confidence", c.confidence},
-             {"status", c.status}});
+             {"status", c.status},
+             {"warnings", kinds_of(c.warnings)}});
     return to_json_text(json);
 }
 

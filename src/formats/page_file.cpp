@@ -2,6 +2,8 @@
 // The page and its characters to the text of page.json, and back (thesis 4.2).
 #include "formats/page_file.hpp"
 
+#include <algorithm>
+
 #include "core/file.hpp"
 #include "formats/file_names.hpp"
 #include "formats/json_values.hpp"
@@ -17,6 +19,22 @@ TypeGuess read_guess(const JsonReader& reader) {
 void write_guess(Json& json, const TypeGuess& guess) {
     json["type"] = guess.type;
     json["confidence"] = guess.confidence;
+}
+
+Warning read_warning(const JsonReader& reader) {
+    const std::string name = reader.at("kind").text();
+    const auto row = std::find_if(warning_table.begin(), warning_table.end(),
+                                  [&](const WarningRow& r) { return r.name == name; });
+    if (row == warning_table.end()) reader.at("kind").fail("there is no warning '" + name + "'");
+    return {row->kind, reader.at("value").number(0, 1), reader.at("text").text()};
+}
+
+Json warning_to_json(const Warning& warning) {
+    Json json;
+    json["kind"] = row_of(warning.kind).name;
+    json["value"] = warning.value;
+    json["text"] = warning.text;
+    return json;
 }
 
 PageCharacter read_page_character(const JsonReader& reader) {
@@ -35,6 +53,9 @@ PageCharacter read_page_character(const JsonReader& reader) {
     if (reader.has("exact_mask")) character.exact_mask = reader.at("exact_mask").boolean();
     if (reader.has("type")) character.found = read_guess(reader);
     if (reader.has("second")) character.second = read_guess(reader.at("second"));
+    if (reader.has("warnings"))
+        for (const JsonReader& warning : reader.at("warnings").elements(0, warning_count))
+            character.warnings.push_back(read_warning(warning));
     return character;
 }
 
@@ -72,6 +93,8 @@ std::string page_to_json(const Page& page) {
         if (character.exact_mask) item["exact_mask"] = true;
         if (character.found) write_guess(item, *character.found);
         if (character.second) write_guess(item["second"], *character.second);
+        for (const Warning& warning : character.warnings)
+            item["warnings"].push_back(warning_to_json(warning));
         json["characters"].push_back(item);
     }
     return to_json_text(json);

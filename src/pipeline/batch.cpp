@@ -39,7 +39,7 @@ std::string type_of(const fs::path& folder, const std::string& status) {
 
 void describe_page(BatchResult& result, const Page& page, const fs::path& out) {
     for (const PageCharacter& c : page.characters)
-        result.characters.push_back({c.folder, c.status, type_of(out / c.folder, c.status)});
+        result.characters.push_back({c.folder, c.status, type_of(out / c.folder, c.status), c.warnings});
     const bool any = std::any_of(page.characters.begin(), page.characters.end(),
                                  [](const PageCharacter& c) { return c.status == "ok"; });
     if (any) return;
@@ -124,10 +124,13 @@ std::string batch_line(const BatchResult& result, bool with_seconds) {
                  {"code", result.code}};
     if (result.skipped) line["skipped"] = true;
     line["characters"] = Json::array();
-    for (const BatchCharacter& c : result.characters)
-        line["characters"].push_back({{"folder", c.folder},
-                                      {"status", c.status},
-                                      {"type", c.type.empty() ? Json(nullptr) : Json(c.type)}});
+    for (const BatchCharacter& c : result.characters) {
+        Json item = {{"folder", c.folder},
+                     {"status", c.status},
+                     {"type", c.type.empty() ? Json(nullptr) : Json(c.type)}};
+        for (const Warning& warning : c.warnings) item["warnings"].push_back(row_of(warning.kind).name);
+        line["characters"].push_back(item);
+    }
     if (with_seconds) line["seconds"] = std::rint(1000 * result.seconds) / 1000;
     return to_compact_json_text(line);
 }

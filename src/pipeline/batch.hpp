@@ -16,6 +16,7 @@ namespace pantin {
 struct BatchCharacter {
     std::string folder, status; // as in page.json
     std::string type;           // the reference it moves like; empty: it did not get so far
+    std::vector<Warning> warnings{};
 };
 
 // What the output says about a line of the input.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "formats/model_file.hpp"
+#include "pantin/warnings.hpp"
 #include "pipeline/context.hpp"
 
 namespace pantin {
@@ -38,6 +39,8 @@ struct Character {
     Rig rig;
     RgbaImage texture;
     std::vector<BoneAnimation> animations;
+
+    std::vector<Warning> warnings; // of 5 and 6
 };
 
 // A character whose folder has the files of the steps before `step`: what that step takes, read whole.

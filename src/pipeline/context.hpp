@@ -48,6 +48,9 @@ public:
     void notice(const std::string& line) const {
         if (settings_.notice) settings_.notice(line);
     }
+    void warn(const std::string& line) const {
+        if (settings_.warning) settings_.warning(line);
+    }
 
 private:
     const Settings& settings_;

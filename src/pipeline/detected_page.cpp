@@ -100,6 +100,13 @@ fs::path resolved(const fs::path& folder) {
     return error ? folder : canonical;
 }
 
+// The page.json of the page to which a resolved folder belongs; empty when there is none.
+fs::path page_beside(const fs::path& folder) {
+    const fs::path file = folder.parent_path() / file_names::page;
+    std::error_code ignored;
+    return fs::exists(file, ignored) ? file : fs::path();
+}
+
 } // namespace
 
 AnimatedPage detect_characters(const fs::path& image, Context& context) {
@@ -166,25 +173,26 @@ void require_folder(const fs::path& folder) {
 }
 
 bool is_exact_mask(const fs::path& folder) {
-    const fs::path whole = resolved(folder), file = whole.parent_path() / file_names::page;
-    std::error_code ignored;
-    if (!fs::exists(file, ignored)) return false;
+    const fs::path whole = resolved(folder), file = page_beside(whole);
+    if (file.empty()) return false;
     const Page page = read_page(file);
     return std::any_of(page.characters.begin(), page.characters.end(), [&](const PageCharacter& character) {
         return character.folder == whole.filename() && character.exact_mask;
     });
 }
 
-void set_status(const fs::path& folder, const std::string& status) {
-    const fs::path whole = resolved(folder), file = whole.parent_path() / file_names::page;
-    std::error_code ignored;
-    if (!fs::exists(file, ignored)) return;
+void set_result(const fs::path& folder, const std::string& status,
+                const std::optional<std::vector<Warning>>& warnings) {
+    const fs::path whole = resolved(folder), file = page_beside(whole);
+    if (file.empty()) return;
     Page page = read_page(file);
+    const std::string before = page_to_json(page);
     for (PageCharacter& character : page.characters) {
-        if (character.folder != whole.filename() || character.status == status) continue;
+        if (character.folder != whole.filename()) continue;
         character.status = status;
-        write_page(whole.parent_path(), page);
+        if (warnings) character.warnings = *warnings;
     }
+    if (page_to_json(page) != before) write_page(whole.parent_path(), page);
 }
 
 } // namespace pantin

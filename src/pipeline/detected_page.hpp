@@ -3,6 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "pipeline/animated_page.hpp"
 
@@ -20,7 +23,9 @@ void save_detection(const std::filesystem::path& out, const AnimatedPage& detect
 void require_folder(const std::filesystem::path& folder);
 // Whether the page.json beside a character's folder says that its mask is the silhouette to the pixel.
 bool is_exact_mask(const std::filesystem::path& folder);
-// Keeps the entry of the character in the page.json beside its folder; a folder may also stand alone.
-void set_status(const std::filesystem::path& folder, const std::string& status);
+// Keeps the entry of the character in the page.json beside its folder; a folder may also stand alone. Without
+// warnings those of the entry stay.
+void set_result(const std::filesystem::path& folder, const std::string& status,
+                const std::optional<std::vector<Warning>>& warnings);
 
 } // namespace pantin

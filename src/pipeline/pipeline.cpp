@@ -17,6 +17,7 @@
 #include "pipeline/motion_notice.hpp"
 #include "pipeline/page_types.hpp"
 #include "pipeline/scene.hpp"
+#include "pipeline/self_check.hpp"
 
 namespace pantin {
 
@@ -98,6 +99,12 @@ void run_steps(Character& c, const fs::path& folder, Step first, Step last, Cont
         }
         c.reached = Step::render;
     }
+
+    // What a person would see at once in the result.
+    if (last >= Step::rig) {
+        c.warnings = check_result(c, context);
+        for (const Warning& warning : c.warnings) context.warn(folder.string() + ": " + warning.text);
+    }
 }
 
 // Steps 2 to 6 on one character. Returns its status: "ok", or the step and the reason why it cannot go on.
@@ -150,6 +157,7 @@ AnimatedPage animate_page(const fs::path& image, const fs::path& out, Context& c
         });
         if (character.reached >= Step::identify)
             set_type(entry, character.identification, context.references());
+        entry.warnings = character.warnings;
         done = before + static_cast<double>(step_names.size() - 1);
         if (!scene && !keep_intermediate) character = {}; // its pictures are not needed any more
     }
@@ -210,16 +218,18 @@ namespace {
 void run_step(const fs::path& folder, const Settings& settings, Step step) {
     require_folder(folder);
     Context context(settings);
+    std::optional<std::vector<Warning>> warnings; // those of the films before are still of the films
     try {
         Character character = load_character(folder, step, context);
         run_steps(character, folder, step, step, context, [&](Step s) { context.progress(name_of(s)); });
         if (step == Step::identify) update_type(folder, character.identification, context.references());
+        if (step >= Step::rig) warnings = character.warnings;
     } catch (const CharacterRejected& rejected) {
         const std::string status = rejected.step() + ": " + rejected.what();
-        set_status(folder, status);
+        set_result(folder, status, std::vector<Warning>());
         throw Error(ErrorKind::not_animated, folder.string() + ": " + status);
     }
-    set_status(folder, "ok");
+    set_result(folder, "ok", warnings);
 }
 
 } // namespace

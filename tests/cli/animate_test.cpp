@@ -93,9 +93,11 @@ TEST_CASE("Every JSON file has the documented keys in their order", "[cli][end-t
     const Json page = json_of(animated_demo() / "page.json");
     CHECK(keys_of(page) == Keys{"source", "width", "height", "detector", "characters"});
     CHECK(page["source"] == "demo.png");
-    for (const Json& character : page["characters"])
-        CHECK(keys_of(character) ==
-              Keys{"folder", "box", "scale", "score", "status", "type", "confidence", "second"});
+    for (const Json& character : page["characters"]) {
+        Keys keys = {"folder", "box", "scale", "score", "status", "type", "confidence", "second"};
+        if (character.contains("warnings")) keys.push_back("warnings"); // only where there are any
+        CHECK(keys_of(character) == keys);
+    }
     for (const fs::path& folder : demo_characters()) {
         const Json segmentation = json_of(folder / "segmentation.json");
         CHECK(keys_of(segmentation) == Keys{"expert", "router", "sureness", "stroke_ratio", "pose", "areas"});

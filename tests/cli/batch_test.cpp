@@ -162,7 +162,7 @@ TEST_CASE("A batch gives the bytes of animate, with the options of each line", "
 
     const std::string input = small_page + "\n" + turned.dump() + "\n" + given.dump() + "\r\n" +
                               config.dump(); // the last line need not be ended
-    const Outcome outcome = batch(input, {"-o", ours.string(), "--threads", "2"});
+    const Outcome outcome = batch(input, {"-o", ours.string(), "--threads", "2", "--quiet"});
     CHECK(outcome.code == 0);
     CHECK(outcome.err.empty());
     check_same(ours, wanted);

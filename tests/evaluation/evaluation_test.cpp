@@ -78,6 +78,25 @@ TEST_CASE("pantin evaluate judges every character of a generated dataset", "[cli
     CHECK(fs::exists(folder / "out" / "pages" / "page-1" / "character-1" / "drawing.png"));
 }
 
+TEST_CASE("An evaluation counts the characters with a warning of each kind", "[warnings]") {
+    Evaluation evaluation;
+    evaluation.characters.resize(3);
+    evaluation.characters[0].warnings = {{WarningKind::lost_ink, 0.5, ""},
+                                         {WarningKind::unsure_type, 0.25, ""}};
+    evaluation.characters[2].warnings = {{WarningKind::unsure_type, 0.125, ""}};
+    const nlohmann::json json = nlohmann::json::parse(evaluation_to_json(evaluation));
+    CHECK(json["warnings"].size() == warning_table.size());
+    for (const WarningRow& row : warning_table)
+        CHECK(json["warnings"][std::string(row.name)] == (row.kind == WarningKind::lost_ink      ? 1
+                                                          : row.kind == WarningKind::unsure_type ? 2
+                                                                                                 : 0));
+    CHECK(json["results"][0]["warnings"] == nlohmann::json{"lost_ink", "unsure_type"});
+    CHECK(json["results"][1]["warnings"] == nlohmann::json::array());
+    const std::string text = evaluation_to_text(evaluation);
+    CHECK(text.find("\nwarnings: 2 characters, filled_crop 0, lost_ink 1, ") != std::string::npos);
+    CHECK(text.find(", unsure_type 2\n") != std::string::npos);
+}
+
 TEST_CASE("A dataset with a fault is refused with the fact") {
     const TemporaryFolder folder;
     const fs::path data = folder / "data", index = data / "index.ndjson";

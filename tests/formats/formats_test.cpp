@@ -184,8 +184,20 @@ TEST_CASE("A page survives the way to JSON and back, and its folders lie below i
     page.height = 480;
     page.characters = {{"character-1", {1, 2, 30, 40}, 1, 0.75, "ok"},
                        {"character-2", {100, 2, 30, 40}, 0.3, 0.5, "identify: a head alone"}};
+    CHECK(page_to_json(page).find("warnings") == std::string::npos);
+    page.characters[0].warnings = {{WarningKind::lost_ink, 0.125, "12 % \"lost\""},
+                                   {WarningKind::unsure_type, 1.0 / 3, "unsure"}};
     const std::string text = page_to_json(page);
-    CHECK(page_to_json(page_from_json(text, "page.json")) == text);
+    const Page back = page_from_json(text, "page.json");
+    CHECK(page_to_json(back) == text);
+    REQUIRE(back.characters[0].warnings.size() == 2);
+    CHECK(back.characters[0].warnings[0].kind == WarningKind::lost_ink);
+    CHECK(back.characters[0].warnings[1].value == 1.0 / 3);
+    CHECK(back.characters[1].warnings.empty());
+    CHECK(message_of([&] {
+              std::string unknown = text;
+              page_from_json(unknown.replace(unknown.find("lost_ink"), 8, "lost_fun"), "page.json");
+          }) == "page.json: characters[0].warnings[0].kind: there is no warning 'lost_fun'");
     for (const std::string folder : {"../other", "..", "", "a/b"}) {
         page.characters[0].folder = folder;
         CHECK_THROWS_AS(page_from_json(page_to_json(page), "page.json"), Error);

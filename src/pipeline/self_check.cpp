@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// A rigged character and the settings to its warnings: which products the measures look at.
+#include "pipeline/self_check.hpp"
+
+#include "pipeline/clip_films.hpp"
+
+namespace pantin {
+
+std::vector<Warning> check_result(const Character& c, Context& context) {
+    ResultToCheck result{c.drawing,
+                         c.mask,
+                         c.segmentation.labels,
+                         c.identification,
+                         context.references(),
+                         c.reference,
+                         c.rig,
+                         {},
+                         c.exact_mask,
+                         !context.options().identification.reference.empty()};
+    const std::vector<ClipFilm> films =
+        c.animations.empty() ? std::vector<ClipFilm>() : clip_films(c, context);
+    for (const ClipFilm& film : films) result.clips.push_back({film.animation, film.view});
+    return find_warnings(result);
+}
+
+} // namespace pantin
