@@ -195,7 +195,7 @@ TEST_CASE(
     ink(19, 19, 21, 81), ink(19, 19, 81, 21), ink(19, 79, 81, 81); // centred on the border
     ink(76, 18, 79, 82); // inside it: a pixel of paper remains beyond
     ink(90, 40, 94, 60); // another mark
-    const RgbaImage texture = make_texture(drawing, labels);
+    const RgbaImage texture = make_texture(drawing, ink_of_crop(ink_darkness(drawing)), labels);
     CHECK(texture(50, 50) == Rgba8{250, 248, 240, 255});
     CHECK(texture(20, 50).a == 255);
     CHECK(texture(19, 50).a == 255);
@@ -213,7 +213,7 @@ TEST_CASE("a walking character keeps its area and is the same in every run") {
     for (int y = 0; y < 100; ++y)
         for (int x = 0; x < 128; ++x)
             if (c.labels(x, y)) drawing(x, y) = {static_cast<std::uint8_t>(40 * c.labels(x, y)), 90, 60};
-    const RgbaImage texture = make_texture(drawing, c.labels);
+    const RgbaImage texture = make_texture(drawing, ink_of_crop(ink_darkness(drawing)), c.labels);
     const BoneAnimation walk = retarget(rig, c.reference, c.reference.clips[0]);
     const View view = view_of(rig, {walk});
     const auto frames = render(rig, walk, texture, view, 5, options_with(128, 2));

@@ -199,7 +199,7 @@ TEST_CASE("A finder's characters are the network's on the ink of the page") {
     for (int y = 30; y < 90; ++y)
         for (int x = 40; x < 110; ++x) page(x, y) = Rgb8{30, 30, 30};
     const CharacterFinder finder(weights(), "w");
-    const auto found = finder.find(page);
+    const auto found = finder.find(page, ink_darkness(page));
     // 160 is the file's max_size, so the page is averaged down to it.
     const Network net = load_network(WeightFile(weights(), "w"));
     const Grid<float> ink = resize(ink_darkness(page), 160, 104);

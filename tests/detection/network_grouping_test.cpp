@@ -98,7 +98,7 @@ TEST_CASE("The finder reads a page of any size and gives places on it") {
     const std::vector<unsigned char> bytes = read_file("testdata/mask_rcnn_tiny.safetensors");
     const CharacterFinder finder(bytes, "tiny");
     const RgbImage page = load_image("testdata/demo.png");
-    const std::vector<CharacterFinder::Found> found = finder.find(page, 2);
+    const std::vector<CharacterFinder::Found> found = finder.find(page, ink_darkness(page), 2);
     REQUIRE(!found.empty());
     for (const CharacterFinder::Found& f : found) {
         CHECK(f.left >= 0);
@@ -108,7 +108,7 @@ TEST_CASE("The finder reads a page of any size and gives places on it") {
         CHECK(f.mask.width() == 28);
     }
     for (std::size_t i = 1; i < found.size(); ++i) CHECK(found[i - 1].score >= found[i].score);
-    const std::vector<CharacterFinder::Found> again = finder.find(page, 1);
+    const std::vector<CharacterFinder::Found> again = finder.find(page, ink_darkness(page), 1);
     REQUIRE(again.size() == found.size());
     for (std::size_t i = 0; i < found.size(); ++i) CHECK(again[i].mask == found[i].mask);
 }

@@ -37,7 +37,7 @@ TEST_CASE("Segmentation gives a label to every silhouette pixel, probabilities o
     Mask mask(90, 60);
     for (int y = 10; y < 50; ++y)
         for (int x = 10; x < 80; ++x) mask(x, y) = 1;
-    const Segmentation result = tiny().segment(drawing, mask);
+    const Segmentation result = tiny().segment(ink_of_crop(ink_darkness(drawing)), mask);
     CHECK(result.labels.width() == 90);
     CHECK(result.labels.height() == 60);
     CHECK(*std::max_element(result.labels.begin(), result.labels.end()) < label_count);
@@ -65,9 +65,9 @@ TEST_CASE("Segmentation is the same for any number of threads") {
         const RgbImage drawing = random_drawing(random, width, height);
         const Mask mask(width, height, 1);
         SegmentationOptions options;
-        const Segmentation one = tiny().segment(drawing, mask, options);
+        const Segmentation one = tiny().segment(ink_of_crop(ink_darkness(drawing)), mask, options);
         options.threads = 4;
-        const Segmentation four = tiny().segment(drawing, mask, options);
+        const Segmentation four = tiny().segment(ink_of_crop(ink_darkness(drawing)), mask, options);
         CHECK(one.labels == four.labels);
         CHECK(one.probabilities == four.probabilities);
         CHECK(one.pose == four.pose);
@@ -81,7 +81,7 @@ TEST_CASE("Pictures of extreme shape, all white or all black are segmented witho
             const RgbImage drawing(width, height, Rgb8{grey, grey, grey});
             for (const int value : {0, 1}) {
                 const Mask mask(width, height, static_cast<std::uint8_t>(value));
-                const Segmentation result = tiny().segment(drawing, mask);
+                const Segmentation result = tiny().segment(ink_of_crop(ink_darkness(drawing)), mask);
                 CHECK(result.labels.width() == width);
                 CHECK(result.labels.height() == height);
             }
@@ -92,7 +92,7 @@ TEST_CASE("The mask may be smaller than the drawing") {
     Random random(3);
     const RgbImage drawing = random_drawing(random, 300, 200);
     const Mask mask(150, 100, 1);
-    const Segmentation result = tiny().segment(drawing, mask);
+    const Segmentation result = tiny().segment(ink_of_crop(ink_darkness(drawing)), mask);
     CHECK(result.labels.width() == 150);
     CHECK(result.labels.height() == 100);
 }

@@ -34,7 +34,7 @@ void add_character(const DetectedCharacter& character, const Segmenter& segmente
         rows[next++].times.push_back(median_time(work, rounds));
     };
     Segmentation segmentation;
-    time([&] { segmentation = segmenter.segment(character.drawing, character.mask); });
+    time([&] { segmentation = segmenter.segment(character.ink, character.mask); });
     Skeletonization skeleton;
     time([&] { skeleton = skeletonize(segmentation.labels); });
     Identification identification;
@@ -50,7 +50,7 @@ void add_character(const DetectedCharacter& character, const Segmenter& segmente
         clips.clear();
         for (const ReferenceClip& clip : reference->clips)
             clips.push_back(retarget(rigged, *reference, clip));
-        texture = make_texture(character.drawing, segmentation.labels);
+        texture = make_texture(character.drawing, character.ink, segmentation.labels);
         to_glb(rigged, texture, clips);
     });
     std::vector<RgbaImage> frames;

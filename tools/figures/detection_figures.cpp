@@ -26,7 +26,7 @@ RgbImage claimed(const RgbImage& page, const Grid<int>& claims) {
 
 Figure mask_rcnn_figure(Gallery& gallery) {
     const RgbImage& page = gallery.page("demo.png");
-    auto found = gallery.networks().finder().find(page);
+    auto found = gallery.networks().finder().find(page, ink_darkness(page));
     const double least = DetectionOptions{}.network_score;
     std::erase_if(found, [least](const CharacterFinder::Found& f) { return f.score < least; });
     constexpr double width = 560;

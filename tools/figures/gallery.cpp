@@ -37,7 +37,7 @@ const Run& Gallery::segmented(const std::string& file, std::size_t index) {
     Run& run = it->second;
     if (is_new) {
         run.detected = detection(file).characters.at(index);
-        run.segmentation = networks_.segmenter().segment(run.detected.drawing, run.detected.mask);
+        run.segmentation = networks_.segmenter().segment(run.detected.ink, run.detected.mask);
     }
     return run;
 }

@@ -18,7 +18,7 @@ BoneAnimation clip_of(const Run& run, const std::string& clip) {
 void draw_film(Svg& svg, Rectangle place, const Run& run, const std::string& clip, int count, double start) {
     const BoneAnimation animation = clip_of(run, clip);
     const View view = view_of(run.rig, {animation});
-    const RgbaImage texture = make_texture(run.detected.drawing, run.labels());
+    const RgbaImage texture = make_texture(run.detected.drawing, run.detected.ink, run.labels());
     RenderOptions options;
     options.size = 300;
     const FrameRenderer renderer(run.rig, texture, view, options);

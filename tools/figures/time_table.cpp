@@ -38,7 +38,7 @@ Times times_of(Gallery& gallery, const std::string& file) {
     const DetectedCharacter& character = detection.characters.front();
     Segmentation segmentation;
     times[1] = bench::median_time(
-        [&] { segmentation = segmenter.segment(character.drawing, character.mask); }, rounds);
+        [&] { segmentation = segmenter.segment(character.ink, character.mask); }, rounds);
     Skeletonization skeleton;
     times[2] = bench::median_time([&] { skeleton = skeletonize(segmentation.labels); }, rounds);
     Identification identification;
