@@ -44,7 +44,7 @@ std::array<float, 3> channels(Rgb8 p) {
 float darker_by(Rgb8 pixel, const Colour& paper) {
     const std::array<float, 3> c = channels(pixel);
     float most = 0;
-    for (std::size_t k = 0; k < 3; ++k) most = std::max(most, 1 - c[k] / paper[k]);
+    for (std::size_t k = 0; k < 3; ++k) most = std::max(most, 1 - std::max(1.0f, c[k]) / paper[k]);
     return most;
 }
 

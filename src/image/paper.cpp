@@ -27,6 +27,7 @@ constexpr float shadow_depth = 0.7f, same_tint = 0.06f;
 constexpr float even_depth = 0.97f; // … on a page without light and grain, where a light grey is a fill
 constexpr float even_grain = 0.5f;  // of 255; noise of a bare block below this is none
 
+constexpr long edge_weight = 8; // what a block at the page's border counts: figures rarely reach it
 constexpr float lightest_ground = 170; // brighter paper is paper, whatever is on it
 constexpr float clear_contrast = 25;   // of 255; less than this is noise and shade
 constexpr double most_drawn = 0.4;     // of the page may be lighter than its ground: beyond, it is a sheet
@@ -114,7 +115,7 @@ Grid<int> regions_of(const Grid<Colour>& colours, int& count) {
     return region;
 }
 
-// The region with most blocks, those of the border counting twice more; the brighter one of equals.
+// The region with most blocks, those of the border counting more; the brighter one of equals.
 Mask ground_of(const Grid<Colour>& colours) {
     int count = 0;
     const Grid<int> region = regions_of(colours, count);
@@ -123,7 +124,7 @@ Mask ground_of(const Grid<Colour>& colours) {
         for (int x = 0; x < region.width(); ++x) {
             const bool edge = x == 0 || y == 0 || x == region.width() - 1 || y == region.height() - 1;
             auto& [blocks, light] = score[static_cast<std::size_t>(region(x, y))];
-            blocks += edge ? 3 : 1;
+            blocks += edge ? edge_weight : 1;
             light += static_cast<double>(brightness(colours(x, y)));
         }
     const auto best = std::max_element(score.begin(), score.end()) - score.begin();

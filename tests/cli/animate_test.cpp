@@ -60,10 +60,10 @@ const std::string film_ending = webp_available() ? ".webp" : ".apng";
 } // namespace
 
 TEST_CASE("animate writes exactly the documented files", "[cli][end-to-end]") {
-    std::set<std::string> expected = {"page.json"}, found;
+    std::set<std::string> expected = {"page.json", "page.png"}, found;
     for (const fs::path& folder : demo_characters()) {
         std::vector<std::string> files = {
-            "drawing.png",  "mask.png",      "labels.png",          "segmentation.json", "contour.json",
+            "drawing.png",  "ink.png", "mask.png",      "labels.png",          "segmentation.json", "contour.json",
             "skeleton.png", "skeleton.json", "identification.json", "mapping.json",      "mesh.obj",
             "mesh.mtl",     "weights.txt",   "character.glb"};
         if (gif_available()) files.push_back("animation.gif");
@@ -286,7 +286,7 @@ TEST_CASE("A second run replaces the characters of the first and leaves other fi
     REQUIRE(run_pantin({"detect", demo_page, "-o", out.string()}).code == 0);
     std::set<std::string> left;
     for (const auto& [name, bytes] : read_all(out / "character-2")) left.insert(name);
-    CHECK(left == std::set<std::string>{"drawing.png", "mask.png", "notes.txt"});
+    CHECK(left == std::set<std::string>{"drawing.png", "ink.png", "mask.png", "notes.txt"});
     CHECK(read(out / "notes.txt") == "mine");
 }
 

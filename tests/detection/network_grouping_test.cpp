@@ -29,7 +29,9 @@ TEST_CASE("A piece of ink goes whole to the detection that claims most of it") {
     claim(claims.owner, {0, 0, 24, 40}, 2); // sees all but one column
     claim(claims.owner, {24, 0, 2, 40}, 1);
     claim(claims.owner, {42, 0, 6, 10}, 1);
-    const Grouping grouping = group_by_claims(ink, claims, {});
+    DetectionOptions far;
+    far.claimed_reach = 10;
+    const Grouping grouping = group_by_claims(ink, claims, far);
     REQUIRE(grouping.boxes.size() == 2);
     CHECK(grouping.boxes[0] == Box{40, 5, 10, 20});
     CHECK(grouping.boxes[1] == Box{5, 5, 20, 10});
