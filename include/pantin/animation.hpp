@@ -58,8 +58,8 @@ struct View {
 // The view of the pose at rest and all key poses, world units. No error. Own.
 View view_of(const Rig& rig, const std::vector<BoneAnimation>& animations);
 // Texture of the drawing's size: the drawing, its alpha cut to the silhouette (where the labels, of working
-// size, are not 0). Outside it colours go on as they are at the border. ink: of the drawing, its size; strokes
-// that the silhouette's border runs along belong to it whole, paper beside them does not. Empty: the
+// size, are not 0). Outside it colours go on as they are at the border. ink: of the drawing, its size;
+// strokes that the silhouette's border runs along belong to it whole, paper beside them does not. Empty: the
 // silhouette is exact. No error. Own.
 RgbaImage make_texture(const RgbImage& drawing, const GreyImage& ink, const LabelMap& labels);
 // The same without the cut, for solids, whose surface alone says where they end. No error. Own.

@@ -59,7 +59,7 @@ struct DetectionOptions {
     double contained_share = 0.6;
     // A character of which so much lies inside the silhouette of a larger one (an eye, a button) is none.
     double inside_share = 0.8;
-    double shared_claim = 0.2; // a piece of ink of which others claim this share is divided
+    double shared_claim = 0.2;   // a piece of ink of which others claim this share is divided
     double claimed_reach = 0.15; // ink of a character is this near to what is claimed (of its diagonal)
     double unclaimed_reach =
         0.06;        // ink that nobody claims belongs to a character this near (of its diagonal)
@@ -117,8 +117,8 @@ struct Detection {
 };
 
 // page: at any size; ink: of that page. With a finder its network groups the ink (when it finds anything),
-// without one the contour-based detector does. Boxes in page pixels, masks at working size. Error(no_character)
-// when the page holds none. Thesis 4.2, Fig. 4.3; contours: Suzuki & Abe 1985.
+// without one the contour-based detector does. Boxes in page pixels, masks at working size.
+// Error(no_character) when the page holds none. Thesis 4.2, Fig. 4.3; contours: Suzuki & Abe 1985.
 Detection detect(const RgbImage& page, const PageInk& ink, const DetectionOptions& options = {},
                  const CharacterFinder* finder = nullptr);
 // The same with the ink of find_page_ink(page).

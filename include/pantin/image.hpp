@@ -71,14 +71,17 @@ struct PageInk {
     // 0 paper, 1 the strongest strokes. A photograph, a scan and a digital drawing, dark on light and light
     // on dark are alike in it; black on white comes out as 1 and 0.
     Grid<float> darkness;
-    Mask fills;                 // filled areas, pale ones too
-    bool light_on_dark = false; // chalk on a board; a page in colours is turned round before a network sees it
-    bool cut_out = false;       // a figure without paper: what is opaque is drawn
-    double bare_border = 1;     // share of the page's border that is bare paper
+    Mask fills; // filled areas, pale ones too
+    bool light_on_dark =
+        false;              // chalk on a board; a page in colours is turned round before a network sees it
+    bool cut_out = false;   // a figure without paper: what is opaque is drawn
+    double bare_border = 1; // share of the page's border that is bare paper
 };
 
-// 1. Light on dark, when the ground is dull and more of the page is lighter than darker than it: turned round.
-// 2. Blocks of max(8, ⌈longer side / 64⌉) pixels; a block's paper is the 80th percentile of its brightness, in
+// 1. Light on dark, when the ground is dull and more of the page is lighter than darker than it: turned
+// round.
+// 2. Blocks of max(8, ⌈longer side / 64⌉) pixels; a block's paper is the 80th percentile of its brightness,
+// in
 //    its tint. The ground is the largest region of blocks that lead on to each other by small steps (shadow,
 //    tint); in a block that is unlike the ground (a filled area) the paper continues as around it.
 // 3. Binomial 3×3 mean of the blocks, bilinear in between: paper(x, y) ≥ 1 in each channel. d = 1 − colour /

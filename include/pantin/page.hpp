@@ -20,13 +20,14 @@ struct TypeGuess {
 };
 
 struct PageCharacter {
-    std::string folder;                     // name below the page's folder, "character-1"
-    Box box;                                // page pixels
-    double scale = 1, score = 0;            // working pixels per page pixel; detector's score, 0 to 1
-    std::string status = "ok";              // or "step: reason", or unfinished_status
-    bool exact_mask = false;                // mask.png is the silhouette to the pixel: the user gave it
-    std::optional<TypeGuess> found{}, second{}; // what it moves like, and the best other one; of identification
-    std::vector<Warning> warnings{};        // of the last `rig` or `render`
+    std::string folder;          // name below the page's folder, "character-1"
+    Box box;                     // page pixels
+    double scale = 1, score = 0; // working pixels per page pixel; detector's score, 0 to 1
+    std::string status = "ok";   // or "step: reason", or unfinished_status
+    bool exact_mask = false;     // mask.png is the silhouette to the pixel: the user gave it
+    std::optional<TypeGuess> found{},
+        second{};                    // what it moves like, and the best other one; of identification
+    std::vector<Warning> warnings{}; // of the last `rig` or `render`
 };
 // Of a character whose page `animate` is still at work on, or was when it was cut off.
 inline constexpr const char* unfinished_status = "unfinished";

@@ -39,11 +39,11 @@ struct Settings {
     std::filesystem::path references; // folder of more reference skeletons; empty: none
     std::filesystem::path mapping; // rig_folder: pairs as in mapping.json instead of matching; empty: match
     std::filesystem::path
-        motion;         // a BVH file that humanoids follow, as one more clip of its name; empty: none
-    bool blend = false; // clips of the two best types are mixed
+        motion;            // a BVH file that humanoids follow, as one more clip of its name; empty: none
+    bool blend = false;    // clips of the two best types are mixed
     std::vector<int> only; // numbers of the page's characters that are animated, from 1; empty: all
-    int rotate = 0;     // degrees by which a page is first turned clockwise: 0, 90, 180, 270
-    int threads = 1;    // results do not depend on it
+    int rotate = 0;        // degrees by which a page is first turned clockwise: 0, 90, 180, 270
+    int threads = 1;       // results do not depend on it
     bool animated_drawings = false; // humanoids are also written as AnimatedDrawings character folders
     bool trace = false;             // intermediate products are written, too
     RenderRequest render;

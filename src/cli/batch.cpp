@@ -91,7 +91,8 @@ using Set = void (*)(PageOptions&, const JsonReader&);
 // The keys are the long options of `animate`, with _ for -; `formats` is a list.
 std::vector<int> numbers_of(const JsonReader& reader) {
     std::vector<int> numbers;
-    for (const JsonReader& number : reader.elements()) numbers.push_back(static_cast<int>(number.integer(1, 64)));
+    for (const JsonReader& number : reader.elements())
+        numbers.push_back(static_cast<int>(number.integer(1, 64)));
     return numbers;
 }
 

@@ -29,7 +29,7 @@ struct RenderFlags {
 };
 
 void add_common_options(Command command, CommonOptions& options);
-void add_detector_option(Command command, CommonOptions& options);          // of the commands that detect
+void add_detector_option(Command command, CommonOptions& options); // of the commands that detect
 void add_only_option(Command command, CommonOptions& options);
 void add_rotate_option(Command command, CommonOptions& options);            // of those that read a page
 void add_motion_options(Command command, CommonOptions& options);           // of those that move a character

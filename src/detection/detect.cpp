@@ -146,10 +146,9 @@ RgbImage inverted(RgbImage page) {
 Grouping group(const RgbImage& page, const PageInk& page_ink, const Mask& ink, int factor,
                const DetectionOptions& options, const CharacterFinder* finder) {
     if (finder) {
-        const std::vector<CharacterFinder::Found> found =
-            whole_characters(finder->find(page_ink.light_on_dark ? inverted(page) : page, page_ink.darkness,
-                                          options.threads),
-                             options);
+        const std::vector<CharacterFinder::Found> found = whole_characters(
+            finder->find(page_ink.light_on_dark ? inverted(page) : page, page_ink.darkness, options.threads),
+            options);
         Claims claims{CharacterFinder::claims(found, ink.width(), ink.height(), factor), {}};
         for (const CharacterFinder::Found& f : found) claims.scores.push_back(f.score);
         DetectionOptions rules = options;
@@ -199,8 +198,7 @@ Detection detect(const RgbImage& page, const PageInk& page_ink, const DetectionO
     result.ink = find_ink(page_ink, options);
     const int factor =
         (std::max(page.width(), page.height()) + options.grouping_size - 1) / options.grouping_size;
-    const Grouping grouping =
-        group(page, page_ink, reduce(result.ink, factor), factor, options, finder);
+    const Grouping grouping = group(page, page_ink, reduce(result.ink, factor), factor, options, finder);
     for (int index : largest_groups(grouping, options.max_characters)) {
         DetectedCharacter character;
         character.box = page_box(grouping.boxes[index], factor, page);

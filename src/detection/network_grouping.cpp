@@ -77,7 +77,8 @@ Mask where_positive(const Grid<int>& values) {
 // Takes from each group the pixels that are farther than `reach` of its claims' diagonal from all of them.
 void drop_distant(Grid<int>& groups, const Grid<int>& owner, double reach) {
     const int count = groups.empty() ? 0 : *std::max_element(groups.begin(), groups.end());
-    const std::vector<Box> boxes = boxes_of(owner, std::max(count, *std::max_element(owner.begin(), owner.end())));
+    const std::vector<Box> boxes =
+        boxes_of(owner, std::max(count, *std::max_element(owner.begin(), owner.end())));
     for (int g = 1; g <= count; ++g) {
         const Box& box = boxes[static_cast<std::size_t>(g) - 1];
         const double farthest =

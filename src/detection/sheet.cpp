@@ -15,10 +15,10 @@ namespace pantin {
 
 namespace {
 
-constexpr int searched_size = 512;    // longer side of the picture on which the sheet is searched
-constexpr int refined_size = 2048;    // … and on which its sides are placed
-constexpr double least_area = 0.25;   // of the picture
-constexpr double most_area = 0.94;    // beyond, the picture is the sheet
+constexpr int searched_size = 512;     // longer side of the picture on which the sheet is searched
+constexpr int refined_size = 2048;     // … and on which its sides are placed
+constexpr double least_area = 0.25;    // of the picture
+constexpr double most_area = 0.94;     // beyond, the picture is the sheet
 constexpr double least_solidity = 0.9; // of the region in its hull: ink may cut into it
 constexpr double least_fit = 0.93;     // of the hull in the quadrilateral
 constexpr double least_contrast = 0.1; // of the sheet's brightness, from inside to outside of a side
@@ -37,8 +37,9 @@ double area_of(const std::vector<Point2d>& polygon) {
 // The smallest channel: paper is white, desks are dark or coloured.
 GreyImage whiteness(const RgbImage& picture) {
     GreyImage out(picture.width(), picture.height());
-    std::transform(picture.begin(), picture.end(), out.begin(),
-                   [](Rgb8 p) { return std::min({p.r, p.g, p.b}); });
+    std::transform(picture.begin(), picture.end(), out.begin(), [](Rgb8 p) {
+        return std::min({p.r, p.g, p.b});
+    });
     return out;
 }
 

@@ -62,7 +62,8 @@ Values motion_chapter(const ChapterInput& input) {
     if (animations.empty())
         return {
             {"film", "<p>The reference has no clips.</p>"}, {"clips", ""}, {"data", "null"}, {"facts", ""}};
-    const RgbaImage texture = make_texture(small_drawing(character), small_ink(character), character.segmentation.labels);
+    const RgbaImage texture =
+        make_texture(small_drawing(character), small_ink(character), character.segmentation.labels);
     std::string facts;
     for (const BoneAnimation& a : animations)
         facts += "<tr><td>" + escaped(a.name) + "</td><td>" + decimal(a.duration, 2) + "</td><td>" +

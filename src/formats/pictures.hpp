@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// drawing.png, ink.png, mask.png and labels.png of a character's folder (docs/formats.md). Readers throw Error(input)
-// that names the file and what is wrong.
+// drawing.png, ink.png, mask.png and labels.png of a character's folder (docs/formats.md). Readers throw
+// Error(input) that names the file and what is wrong.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ RgbImage read_drawing(const std::filesystem::path& folder); // the crop, page pi
 // What of it is drawn: 0 paper, 255 the strongest strokes (in the file black). Without a file, which only a
 // folder made by hand lacks, it is found on the drawing.
 GreyImage read_ink(const std::filesystem::path& folder, const RgbImage& drawing);
-Mask read_mask(const std::filesystem::path& folder);        // working size, 0 or 1 (file: at least 128)
+Mask read_mask(const std::filesystem::path& folder); // working size, 0 or 1 (file: at least 128)
 LabelMap read_labels(const std::filesystem::path& folder, const Mask& mask); // of the mask's size
 
 // A label map has a value that is none.

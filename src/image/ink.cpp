@@ -25,8 +25,8 @@ constexpr double light_ink_share = 0.2;
 
 // A filled area is at least this far from the paper, and this many times the paper's own noise.
 constexpr float faintest_fill = 0.05f, fill_over_noise = 3;
-constexpr float blur_contrast = 2;  // an edge at half of what is near it …
-constexpr int blur_reach = 2;       // … within so many pixels
+constexpr float blur_contrast = 2;      // an edge at half of what is near it …
+constexpr int blur_reach = 2;           // … within so many pixels
 constexpr float opaque_darkness = 0.2f; // least of what is opaque on a page without paper
 
 RgbImage inverted(RgbImage page) {
@@ -182,8 +182,7 @@ PageInk find_cut_out_ink(const RgbaImage& page) {
     for (std::size_t i = 0; i < page.size(); ++i) {
         const Rgba8 p = page.data()[i];
         if (!is_opaque(p)) continue;
-        ink.darkness.data()[i] =
-            std::max(opaque_darkness, darker_by({p.r, p.g, p.b}, Colour{255, 255, 255}));
+        ink.darkness.data()[i] = std::max(opaque_darkness, darker_by({p.r, p.g, p.b}, Colour{255, 255, 255}));
         ink.fills.data()[i] = 1;
     }
     normalise(ink.darkness);

@@ -27,7 +27,7 @@ constexpr float shadow_depth = 0.7f, same_tint = 0.06f;
 constexpr float even_depth = 0.97f; // … on a page without light and grain, where a light grey is a fill
 constexpr float even_grain = 0.5f;  // of 255; noise of a bare block below this is none
 
-constexpr long edge_weight = 8; // what a block at the page's border counts: figures rarely reach it
+constexpr long edge_weight = 8;        // what a block at the page's border counts: figures rarely reach it
 constexpr float lightest_ground = 170; // brighter paper is paper, whatever is on it
 constexpr float clear_contrast = 25;   // of 255; less than this is noise and shade
 constexpr double most_drawn = 0.4;     // of the page may be lighter than its ground: beyond, it is a sheet

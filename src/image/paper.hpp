@@ -13,10 +13,10 @@ using Colour = std::array<float, 3>; // red, green, blue: 0 … 255
 
 // Of square blocks, bilinear between their centres.
 struct Paper {
-    int block = 0;         // pixels a side
-    Grid<Colour> colours;  // per block, at least 1 each
-    Mask bare;             // per block: its own colour is the paper's (else it is a filled area, or none)
-    bool even = false;     // as a drawing program leaves it: no light, no grain
+    int block = 0;        // pixels a side
+    Grid<Colour> colours; // per block, at least 1 each
+    Mask bare;            // per block: its own colour is the paper's (else it is a filled area, or none)
+    bool even = false;    // as a drawing program leaves it: no light, no grain
 };
 
 // The ground is the region of evenly changing colour that covers most of the page and of its border. Where

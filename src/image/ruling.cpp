@@ -12,16 +12,16 @@ namespace pantin {
 
 namespace {
 
-constexpr int searched_size = 1024;    // longer side of the grid on which lines are searched
-constexpr double steepest = 0.06;      // slope against the page's sides
+constexpr int searched_size = 1024; // longer side of the grid on which lines are searched
+constexpr double steepest = 0.06;   // slope against the page's sides
 // A line is this much darker than both of its sides; lines as dark as possible are looked for first, so that
 // what is left of a shadow does not lie between them.
 constexpr float line_contrasts[] = {0.32f, 0.16f, 0.08f, 0.04f};
-constexpr double long_line = 0.5;      // of the page's side are covered by a line,
-constexpr double known_line = 0.25;    // or so much where the spacing says that one is due
+constexpr double long_line = 0.5;   // of the page's side are covered by a line,
+constexpr double known_line = 0.25; // or so much where the spacing says that one is due
 constexpr int fewest_lines = 3;
-constexpr double even_spacing = 0.15;  // of the pitch
-constexpr double evenly_spaced = 0.6;  // least share of the gaps that are one or two pitches
+constexpr double even_spacing = 0.15; // of the pitch
+constexpr double evenly_spaced = 0.6; // least share of the gaps that are one or two pitches
 
 // The page with x along the lines: as it is, or transposed.
 template <class T> class Along {
@@ -43,7 +43,8 @@ struct Place {
 // Where a pixel is darker than both sides, in pixels of the searched grid.
 std::vector<Place> ridges(const Along<float>& page, int factor, float contrast) {
     const int reach = std::max(4, std::max(page.length(), page.breadth()) / 100);
-    const int length = (page.length() + factor - 1) / factor, breadth = (page.breadth() + factor - 1) / factor;
+    const int length = (page.length() + factor - 1) / factor,
+              breadth = (page.breadth() + factor - 1) / factor;
     Mask found(length, breadth);
     for (int y = 0; y < page.breadth(); ++y)
         for (int x = 0; x < page.length(); ++x) {

@@ -23,9 +23,9 @@ inline const char* name_of(Step step) { return step_names[static_cast<std::size_
 struct Character {
     Step reached = Step::detect; // the last step whose products are there
 
-    RgbImage drawing; // 1: the crop, page pixels
-    GreyImage ink;    //    the same: what of it is drawn
-    Mask mask;        //    working size
+    RgbImage drawing;        // 1: the crop, page pixels
+    GreyImage ink;           //    the same: what of it is drawn
+    Mask mask;               //    working size
     bool exact_mask = false; // the mask is the silhouette, to the pixel: the user gave it
     std::optional<LabelMap> given_labels;
 

@@ -39,8 +39,8 @@ void check_choice(const std::vector<int>& only, const Page& page, const fs::path
     const int count = static_cast<int>(page.characters.size());
     for (int number : only)
         if (number < 1 || number > count)
-            throw Error(ErrorKind::usage, "--only " + std::to_string(number) + ": " + image.string() + " has " +
-                                              std::to_string(count) +
+            throw Error(ErrorKind::usage, "--only " + std::to_string(number) + ": " + image.string() +
+                                              " has " + std::to_string(count) +
                                               (count == 1 ? " character" : " characters"));
 }
 
@@ -86,11 +86,13 @@ Upright load_upright(const fs::path& file, const Settings& settings, bool flatte
 // What a person should know before looking at the result.
 void tell_of_paper(const fs::path& image, const Upright& upright, bool given, const Context& context) {
     if (upright.sheet)
-        context.notice(image.string() + ": shows a sheet of paper on something else; the sheet alone is read");
-    else if (!given && !upright.ink.cut_out && upright.ink.bare_border < least_bare_border)
         context.notice(image.string() +
-                       ": only part of the picture seems to be paper, and no whole sheet is in sight: crop the "
-                       "picture to the paper");
+                       ": shows a sheet of paper on something else; the sheet alone is read");
+    else if (!given && !upright.ink.cut_out && upright.ink.bare_border < least_bare_border)
+        context.notice(
+            image.string() +
+            ": only part of the picture seems to be paper, and no whole sheet is in sight: crop the "
+            "picture to the paper");
 }
 
 // The folder with its own name, also for "." and "character-1/".
@@ -136,8 +138,7 @@ AnimatedPage detect_characters(const fs::path& image, Context& context) {
         given ? "given" : detector_names[static_cast<std::size_t>(context.options().detection.detector)];
     for (DetectedCharacter& detected : detection.characters) {
         page.characters.push_back({"character-" + std::to_string(page.characters.size() + 1), detected.box,
-                                   detected.scale, detected.score, unfinished_status,
-                                   detected.exact_mask});
+                                   detected.scale, detected.score, unfinished_status, detected.exact_mask});
         Character& character = result.characters.emplace_back();
         character.drawing = std::move(detected.drawing);
         character.ink = std::move(detected.ink);

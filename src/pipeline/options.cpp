@@ -239,9 +239,9 @@ Options make_preset(std::string_view name) {
     if (name != "thesis")
         throw Error(ErrorKind::usage, "--preset: there is no preset '" + std::string(name) +
                                           "' (default, thesis)" + did_you_mean(name, {"default", "thesis"}));
-    options.detection.working_size = 321; // ch. 5: the network's input
+    options.detection.working_size = 321;    // ch. 5: the network's input
     options.detection.flatten_sheet = false; // 4.2: the picture as it is
-    options.segmentation.mirror = false;  // 4.3: one view of the drawing
+    options.segmentation.mirror = false;     // 4.3: one view of the drawing
     options.segmentation.tilt = 0;
     options.segmentation.least_confidence = 0;        // 4.3: whatever was detected is a character
     options.segmentation.silhouette.rim = 0;          // 4.2: the detector's mask

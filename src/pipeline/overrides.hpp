@@ -23,7 +23,7 @@ bool has_given_character(const std::filesystem::path& image, const Settings& set
 // The character of the given mask or labels, or of an AnimatedDrawings folder; none when there is neither.
 // `page` is turned already. Error(input) names the file that does not fit.
 std::optional<GivenCharacter> given_character(const RgbImage& page, const PageInk& ink,
-                                              const std::filesystem::path& image,
-                                              const Settings& settings, const DetectionOptions& options);
+                                              const std::filesystem::path& image, const Settings& settings,
+                                              const DetectionOptions& options);
 
 } // namespace pantin

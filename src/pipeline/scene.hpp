@@ -11,8 +11,8 @@
 
 namespace pantin {
 
-// Writes out/scene.webp and so on (PNG frames: out/frames/scene). `picture`: the page; `characters` are those of `page`; those
-// whose status is not "ok" stay on the paper as they were drawn.
+// Writes out/scene.webp and so on (PNG frames: out/frames/scene). `picture`: the page; `characters` are those
+// of `page`; those whose status is not "ok" stay on the paper as they were drawn.
 void render_scene(const RgbImage& picture, const std::filesystem::path& out, const Page& page,
                   const std::vector<Character>& characters, const Context& context);
 

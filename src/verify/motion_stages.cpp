@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "formats/file_names.hpp"
-#include "formats/pictures.hpp"
 #include "formats/identification_file.hpp"
 #include "formats/mapping_file.hpp"
+#include "formats/pictures.hpp"
 #include "formats/skeleton_file.hpp"
 #include "pantin/export.hpp"
 #include "verify/bytes.hpp"
@@ -84,8 +84,8 @@ std::vector<BoneAnimation> animations_of(const StageContext& c) {
 }
 
 RgbaImage texture_of(const StageContext& c) {
-    return make_texture(c.picture(character_path + file_names::drawing), inverted(c.grey(character_path + file_names::ink)),
-                        c.grey(labels_file));
+    return make_texture(c.picture(character_path + file_names::drawing),
+                        inverted(c.grey(character_path + file_names::ink)), c.grey(labels_file));
 }
 
 Files animate_bones(const StageContext& c) {

@@ -23,7 +23,8 @@ namespace {
 constexpr const char* page_file = "page.png";
 
 Files find(const StageContext& c) {
-    return {{"found.json", found_to_json(c.networks.finder().find(c.picture(page_file), ink_darkness(c.picture(page_file)), c.threads))}};
+    return {{"found.json", found_to_json(c.networks.finder().find(
+                               c.picture(page_file), ink_darkness(c.picture(page_file)), c.threads))}};
 }
 
 Files detect_characters(const StageContext& c) {
@@ -50,8 +51,9 @@ Files detect_characters(const StageContext& c) {
 Files segment(const StageContext& c) {
     SegmentationOptions options = c.options.segmentation;
     options.threads = c.threads;
-    const Segmentation result = c.networks.segmenter().segment(
-        inverted(c.grey(character_path + file_names::ink)), c.mask(character_path + file_names::mask), options);
+    const Segmentation result =
+        c.networks.segmenter().segment(inverted(c.grey(character_path + file_names::ink)),
+                                       c.mask(character_path + file_names::mask), options);
     return {{character_path + file_names::segmentation, segmentation_to_json(result)},
             {character_path + file_names::labels, png(result.labels)},
             {trace_path + "probabilities.json", probabilities_to_json(result.probabilities)}};

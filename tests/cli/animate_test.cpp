@@ -63,9 +63,9 @@ TEST_CASE("animate writes exactly the documented files", "[cli][end-to-end]") {
     std::set<std::string> expected = {"page.json", "page.png"}, found;
     for (const fs::path& folder : demo_characters()) {
         std::vector<std::string> files = {
-            "drawing.png",  "ink.png", "mask.png",      "labels.png",          "segmentation.json", "contour.json",
-            "skeleton.png", "skeleton.json", "identification.json", "mapping.json",      "mesh.obj",
-            "mesh.mtl",     "weights.txt",   "character.glb"};
+            "drawing.png",  "ink.png",      "mask.png",      "labels.png",          "segmentation.json",
+            "contour.json", "skeleton.png", "skeleton.json", "identification.json", "mapping.json",
+            "mesh.obj",     "mesh.mtl",     "weights.txt",   "character.glb"};
         if (gif_available()) files.push_back("animation.gif");
         const std::vector<std::string> clips = clips_of(folder);
         for (std::size_t i = 0; i < clips.size(); ++i)

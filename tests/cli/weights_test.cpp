@@ -64,7 +64,8 @@ void check_segmented(const fs::path& character, const fs::path& weights, const S
     const Segmenter network(read_file(weights), weights.string());
     GreyImage mask = load_grey(character / "mask.png");
     for (std::uint8_t& pixel : mask) pixel = pixel >= 128;
-    const Segmentation expected = network.segment(read_ink(character, load_image(character / "drawing.png", 1)), mask, options);
+    const Segmentation expected =
+        network.segment(read_ink(character, load_image(character / "drawing.png", 1)), mask, options);
     const Json json = Json::parse(read(character / "segmentation.json"));
     CHECK(json["expert"] == expected.expert);
     CHECK(json["router"].size() == expected.router.size());

@@ -37,8 +37,8 @@ Times times_of(Gallery& gallery, const std::string& file) {
     times[0] = bench::median_time([&] { detection = detect(page, {}, &finder); }, rounds);
     const DetectedCharacter& character = detection.characters.front();
     Segmentation segmentation;
-    times[1] = bench::median_time(
-        [&] { segmentation = segmenter.segment(character.ink, character.mask); }, rounds);
+    times[1] =
+        bench::median_time([&] { segmentation = segmenter.segment(character.ink, character.mask); }, rounds);
     Skeletonization skeleton;
     times[2] = bench::median_time([&] { skeleton = skeletonize(segmentation.labels); }, rounds);
     Identification identification;
