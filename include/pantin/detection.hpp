@@ -62,7 +62,8 @@ struct DetectionOptions {
     double shared_claim = 0.2;   // a piece of ink of which others claim this share is divided
     double claimed_reach = 0.15; // ink of a character is this near to what is claimed (of its diagonal)
     double unclaimed_reach =
-        0.06;        // ink that nobody claims belongs to a character this near (of its diagonal)
+        0.06; // ink that nobody claims belongs to a character this near (of its diagonal) …
+    double unclaimed_extent = 0.25; // … if it ends this near, too
     int threads = 1; // of the network; results do not depend on it
 };
 

@@ -112,10 +112,10 @@ Grid<int> give_claimed(const Components& pieces, const Claims& claims, const Det
 
 // Rule 2.
 void give_unclaimed(Grid<int>& groups, const Components& pieces, const std::vector<Box>& boxes,
-                    double reach) {
+                    const DetectionOptions& options) {
     const Grid<int> nearest = nearest_seed(where_positive(groups));
     struct Way {
-        long squared = -1;
+        long squared = -1, longest = 0; // the longest: of all its pixels
         int group = 0;
     };
     std::vector<Way> ways(pieces.list.size()); // the shortest from the piece to a group
@@ -126,8 +126,10 @@ void give_unclaimed(Grid<int>& groups, const Components& pieces, const std::vect
             Way& way = ways[static_cast<std::size_t>(pieces.ids(x, y)) - 1];
             const long dx = x - seed % groups.width(), dy = y - seed / groups.width();
             const long squared = dx * dx + dy * dy;
-            if (way.squared < 0 || squared < way.squared)
-                way = {squared, groups.data()[static_cast<std::size_t>(seed)]};
+            way.longest = std::max(way.longest, squared);
+            if (way.squared >= 0 && squared >= way.squared) continue;
+            way.squared = squared;
+            way.group = groups.data()[static_cast<std::size_t>(seed)];
         }
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const int piece = pieces.ids.data()[i];
@@ -135,9 +137,13 @@ void give_unclaimed(Grid<int>& groups, const Components& pieces, const std::vect
         const Way& way = ways[static_cast<std::size_t>(piece) - 1];
         if (way.squared < 0) continue;
         const Box& box = boxes[static_cast<std::size_t>(way.group) - 1];
-        const double farthest =
-            reach * length(Point2d{static_cast<double>(box.width), static_cast<double>(box.height)});
-        if (static_cast<double>(way.squared) <= farthest * farthest) groups.data()[i] = way.group;
+        const double diagonal =
+            length(Point2d{static_cast<double>(box.width), static_cast<double>(box.height)});
+        const double nearest_end = options.unclaimed_reach * diagonal,
+                     farthest_end = options.unclaimed_extent * diagonal;
+        if (static_cast<double>(way.squared) <= nearest_end * nearest_end &&
+            static_cast<double>(way.longest) <= farthest_end * farthest_end)
+            groups.data()[i] = way.group;
     }
 }
 
@@ -159,7 +165,7 @@ Grouping group_by_claims(const Mask& ink, const Claims& claims, const DetectionO
     Grid<int> groups = give_claimed(pieces, claims, options);
     const int count = static_cast<int>(claims.scores.size());
     if (count == 0) return {std::move(groups), {}, {}};
-    give_unclaimed(groups, pieces, boxes_of(groups, count), options.unclaimed_reach);
+    give_unclaimed(groups, pieces, boxes_of(groups, count), options);
 
     // Detections without ink of their own disappear; the others are numbered anew.
     Grouping result;

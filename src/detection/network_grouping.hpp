@@ -22,7 +22,8 @@ std::vector<CharacterFinder::Found> whole_characters(std::vector<CharacterFinder
 //    Of a piece that goes on far beyond its character (a line of grass, the frame of the page) what lies
 //    farther than `claimed_reach` of the character's diagonal from its claims belongs to nobody.
 // 2. A piece that nobody claims goes to the nearest claimed ink within `unclaimed_reach` of that character's
-//    diagonal (the mask is coarse, fingers and antennae stick out of it), else it is no character's.
+//    diagonal (the mask is coarse, fingers and antennae stick out of it) if no pixel of it is farther than
+//    `unclaimed_extent` (a house beside a person is no part of it), else it is no character's.
 Grouping group_by_claims(const Mask& ink, const Claims& claims, const DetectionOptions& options);
 
 } // namespace pantin

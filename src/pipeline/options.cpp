@@ -55,6 +55,7 @@ template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visi
     visit("detection.inside_share", o.inside_share, 0, 2);
     visit("detection.claimed_reach", o.claimed_reach, 0, 10);
     visit("detection.unclaimed_reach", o.unclaimed_reach, 0, 1);
+    visit("detection.unclaimed_extent", o.unclaimed_extent, 0, 10);
 }
 
 template <class Visitor> void visit_segmentation(SegmentationOptions& o, Visitor& visit) {
