@@ -60,10 +60,10 @@ struct DetectionOptions {
     // A character of which so much lies inside the silhouette of a larger one (an eye, a button) is none.
     double inside_share = 0.8;
     double shared_claim = 0.2;   // a piece of ink of which others claim this share is divided
-    double claimed_reach = 0.15; // ink of a character is this near to what is claimed (of its diagonal)
+    double claimed_reach = 0.05; // ink of a character is this near to what is claimed (of its diagonal)
     double unclaimed_reach =
         0.06; // ink that nobody claims belongs to a character this near (of its diagonal) …
-    double unclaimed_extent = 0.25; // … if it ends this near, too
+    double unclaimed_extent = 0.1; // … if it ends this near, too
     int threads = 1; // of the network; results do not depend on it
 };
 

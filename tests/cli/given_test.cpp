@@ -73,6 +73,66 @@ TEST_CASE("--mask skips detection: the character is where the mask is", "[cli][g
     CHECK(fs::exists(second.out() / "character-1/segmentation.json"));
 }
 
+TEST_CASE("A given mask is the silhouette to the pixel, also when a step runs alone", "[cli][given]") {
+    const Second second;
+    GreyImage mask = second.whole;
+    for (std::uint8_t& v : mask) v = v ? 255 : 0;
+    for (int y = 0; y < 12; ++y) // an ear that is not drawn
+        for (int x = 0; x < 12; ++x) {
+            int top = 0;
+            while (top < mask.height() && mask(second.box.x + second.box.width / 2, top) == 0) ++top;
+            mask(second.box.x + second.box.width / 2 + x, std::max(0, top - 6) + y) = 255;
+        }
+    save_png(second.mask, mask);
+    REQUIRE(second.animate({"--mask", second.mask.string()}).code == 0);
+    const fs::path character = second.out() / "character-1";
+    const auto silhouette = [&] {
+        GreyImage labels = load_grey(character / "labels.png");
+        for (std::uint8_t& v : labels) v = v ? 255 : 0;
+        return labels;
+    };
+    const GreyImage given = load_grey(character / "mask.png");
+    CHECK(silhouette() == given);
+    CHECK(Json::parse(read(second.out() / "page.json"))["characters"][0]["exact_mask"] == true);
+    fs::remove(character / "labels.png");
+    REQUIRE(run_pantin({"segment", character.string()}).code == 0);
+    CHECK(silhouette() == given);
+}
+
+TEST_CASE("--only animates the characters of those numbers; page.png shows which they are", "[cli][given]") {
+    const TemporaryFolder folder;
+    const std::string out = (folder / "out").string();
+    REQUIRE(run_pantin(std::vector<std::string>{"animate", "--only", "2", demo_page, "-o", out} + small_films)
+                .code == 0);
+    const Json page = Json::parse(read(folder / "out/page.json"));
+    const std::size_t count = page["characters"].size();
+    for (std::size_t i = 0; i < count; ++i) {
+        INFO(i + 1);
+        CHECK((page["characters"][i]["status"] == "ok") == (i == 1));
+        const fs::path glb = folder / "out" / ("character-" + std::to_string(i + 1)) / "character.glb";
+        CHECK(fs::exists(glb) == (i == 1));
+    }
+    const RgbImage overview = load_image(folder / "out/page.png");
+    CHECK(std::max(overview.width(), overview.height()) <= 1024);
+    CHECK(overview != resize(load_image(demo_page), overview.width(), overview.height()));
+    const Outcome beyond = run_pantin({"animate", demo_page, "-o", out, "--only", "1,9"});
+    CHECK(beyond.code == 2);
+    CHECK(beyond.err.find("--only 9") != std::string::npos);
+}
+
+TEST_CASE("A page.png that no run wrote is the user's", "[cli][given]") {
+    const TemporaryFolder folder;
+    fs::copy_file(small_page, folder / "page.png");
+    const std::string before = read(folder / "page.png");
+    const std::vector<std::string> run =
+        std::vector<std::string>{"animate", (folder / "page.png").string(), "-o", folder.path().string()} +
+        small_films;
+    for (int round = 0; round < 2; ++round) {
+        REQUIRE(run_pantin(run).code == 0);
+        CHECK(read(folder / "page.png") == before);
+    }
+}
+
 TEST_CASE("--rotate turns the given pictures with the page", "[cli][given]") {
     const Second second;
     REQUIRE(second.animate({"--labels", second.labels.string(), "--rotate", "180"}).code == 0);

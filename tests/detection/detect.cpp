@@ -134,6 +134,46 @@ TEST_CASE("Coloured fills and light pencil are characters") {
     CHECK(on_page(b, b.characters[0])(188, 168) == 1);
 }
 
+TEST_CASE("A filled cut-out is its own silhouette, holes and all; one of lines is closed") {
+    RgbaImage page(240, 200, Rgba8{0, 0, 0, 0});
+    Mask truth(240, 200);
+    for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 240; ++x) {
+            const bool body = std::hypot(x - 120, y - 110) < 70, hole = std::hypot(x - 90, y - 110) < 12;
+            const bool head = std::hypot(x - 120, y - 30) < 24;
+            truth(x, y) = (body && !hole) || head;
+            if (truth(x, y)) page(x, y) = head ? Rgba8{255, 255, 255, 255} : Rgba8{240, 235, 150, 255};
+        }
+    RgbImage colours(240, 200, Rgb8{255, 255, 255});
+    const Detection found = detect(colours, find_cut_out_ink(page));
+    REQUIRE(found.characters.size() == 1);
+    CHECK(found.characters[0].exact_mask);
+    CHECK(on_page(found, found.characters[0]) == truth);
+
+    RgbaImage lines(240, 200, Rgba8{0, 0, 0, 0});
+    for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 240; ++x)
+            if (std::abs(std::hypot(x - 120, y - 100) - 70) < 2) lines(x, y) = {255, 255, 255, 255};
+    const Detection closed = detect(colours, find_cut_out_ink(lines));
+    REQUIRE(closed.characters.size() == 1);
+    CHECK_FALSE(closed.characters[0].exact_mask);
+    CHECK(on_page(closed, closed.characters[0])(120, 100) == 1);
+}
+
+TEST_CASE("A character's ink is without that of its neighbours") {
+    Canvas canvas(500, 300);
+    draw_animal(canvas, {20, 60}, 240);
+    canvas.arc({262, 235}, 14, 14, 0, 360, 3); // below the head, inside of the animal's box
+    draw_animal(canvas, {290, 60}, 190);
+    const Detection found = detect(canvas.image);
+    REQUIRE(found.characters.size() >= 2);
+    for (const DetectedCharacter& c : found.characters) {
+        CHECK(c.ink.width() == c.drawing.width());
+        CHECK(c.ink.height() == c.drawing.height());
+        CHECK(*std::max_element(c.ink.begin(), c.ink.end()) == 255);
+    }
+}
+
 TEST_CASE("Light drawings on a dark page are inverted") {
     Canvas board(400, 300, {30, 40, 35});
     draw_animal(board, {80, 60}, 240, 10, 3, {240, 240, 240});
@@ -141,6 +181,7 @@ TEST_CASE("Light drawings on a dark page are inverted") {
     REQUIRE(found.characters.size() == 1);
     CHECK(on_page(found, found.characters[0])(188, 168) == 1);
     CHECK(found.characters[0].drawing(5, 5) == board.image(0, 0)); // the drawing itself stays as it is
+    CHECK(found.characters[0].ink(5, 5) == 0);                     // and the board is paper
 }
 
 TEST_CASE("The sheet's edge, the table around it, ruled lines and a frame are no characters") {

@@ -68,6 +68,22 @@ TEST_CASE("Ink that nobody claims belongs to what is near, or to nothing") {
     CHECK(grouping.groups(82, 12) == 0);
 }
 
+TEST_CASE("A line of grass is a character's as far as the character reaches, a house beside it not at all") {
+    Mask ink(300, 100);
+    fill(ink, {100, 20, 40, 60});
+    fill(ink, {0, 78, 300, 2});   // grass, through the feet
+    fill(ink, {143, 30, 80, 40}); // a house, near
+    Claims claims{Grid<int>(300, 100, 0), {0.9}};
+    claim(claims.owner, {100, 20, 40, 60}, 1);
+    const Grouping grouping = group_by_claims(ink, claims, {});
+    REQUIRE(grouping.boxes.size() == 1);
+    CHECK(grouping.groups(98, 79) == 1);
+    CHECK(grouping.groups(80, 79) == 0);
+    CHECK(grouping.groups(180, 79) == 0);
+    CHECK(grouping.groups(143, 50) == 0);
+    CHECK(grouping.groups(200, 50) == 0);
+}
+
 TEST_CASE("Of two claims on a pixel the stronger counts, where the mask is at least one half") {
     CharacterFinder::Found a{0.9, 0, 0, 40, 40, Grid<float>(28, 28, 0.6f)};
     CharacterFinder::Found b{0.8, 20, 0, 60, 40, Grid<float>(28, 28, 0.9f)};
