@@ -64,7 +64,7 @@ struct DetectionOptions {
     double unclaimed_reach =
         0.06; // ink that nobody claims belongs to a character this near (of its diagonal) …
     double unclaimed_extent = 0.1; // … if it ends this near, too
-    int threads = 1; // of the network; results do not depend on it
+    int threads = 1;               // of the network; results do not depend on it
 };
 
 // The network that finds characters on a page: Mask R-CNN (He et al. 2017; thesis 4.2, ch. 5), the compact

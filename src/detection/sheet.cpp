@@ -25,7 +25,12 @@ constexpr double least_contrast = 0.1; // of the sheet's brightness, from inside
 constexpr double least_edge = 0.6;     // of a side's places have it
 constexpr double least_sine = 0.6;     // of a corner's angle: 37° to 143°
 constexpr double least_opposite = 0.4; // of the length of the opposite side
-constexpr double margin = 0.006;       // of the sheet's sides that is cut off: its edge and its shadow
+// Focal lengths in longer sides of the picture. The main camera of a telephone: 26 mm to a frame of 36 mm.
+constexpr double usual_focal = 0.75, nearest_focal = 0.4, farthest_focal = 4;
+constexpr double least_perspective =
+    0.004; // product of the two sides' perspective that tells the focal length
+constexpr double longest_ratio = 4;
+constexpr double margin = 0.006; // of the sheet's sides that is cut off: its edge and its shadow
 
 double area_of(const std::vector<Point2d>& polygon) {
     double twice = 0;
@@ -277,25 +282,20 @@ Homography from_unit_square(const SheetCorners& p) {
 }
 
 // Width over height of the sheet. The camera's axis goes through the picture's middle; its focal length
-// follows from the perspective, and where there is next to none the sides tell.
+// follows from the perspective. From straight above a side nothing follows: then it is a telephone's.
 double aspect_ratio(const SheetCorners& p, Point2d middle) {
-    const double across = length(p[1] - p[0]) + length(p[2] - p[3]),
-                 down = length(p[3] - p[0]) + length(p[2] - p[1]);
-    const double seen = across / std::max(1e-9, down);
     SheetCorners q = p;
     for (Point2d& c : q) c = c - middle;
     const Homography m = from_unit_square(q);
-    // The images of the sides' directions, h1 = (a, d, g) and h2 = (b, e, h), are at right angles in space.
+    const double longer = 2 * std::max(middle.x, middle.y);
+    // The images of the sides' directions, (a, d, g) and (b, e, h), are at right angles in space.
     const double gh = m.g * m.h;
-    const double squared_focal = -(m.a * m.b + m.d * m.e) / gh;
-    const double longest = std::max({length(p[1] - p[0]), length(p[2] - p[1]), length(p[2] - p[3])});
-    if (std::abs(gh) * longest * longest < 1e-9 || !(squared_focal > 0.1 * longest * longest) ||
-        squared_focal > 100 * longest * longest)
-        return seen;
-    const double width = m.a * m.a + m.d * m.d + m.g * m.g * squared_focal,
-                 height = m.b * m.b + m.e * m.e + m.h * m.h * squared_focal;
-    const double ratio = std::sqrt(width / height);
-    return ratio > seen / 2 && ratio < 2 * seen ? ratio : seen;
+    double focal = std::abs(gh) < least_perspective ? 0 : -(m.a * m.b + m.d * m.e) / gh;
+    focal = focal > 0 ? std::sqrt(focal) : 0;
+    if (focal < nearest_focal * longer || focal > farthest_focal * longer) focal = usual_focal * longer;
+    const double width = m.a * m.a + m.d * m.d + m.g * m.g * focal * focal,
+                 height = m.b * m.b + m.e * m.e + m.h * m.h * focal * focal;
+    return std::clamp(std::sqrt(width / height), 1 / longest_ratio, longest_ratio);
 }
 
 std::uint8_t mixed(double a, double b, double c, double d, double fx, double fy) {

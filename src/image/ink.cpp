@@ -16,6 +16,8 @@ constexpr float dark_pixel = 0.15f;     // pixels darker than this count as stro
 constexpr int dark_percent = 95;        // … and this percentile of them becomes 1
 constexpr float min_dark_level = 0.25f; // faint pencil is raised at most fourfold
 constexpr int darkness_bins = 1024;
+constexpr float clear_stroke = 0.5f;   // pixels darker than this are strokes on a pale fill …
+constexpr double stroke_share = 0.005; // … if they are so many of what is drawn
 
 // Ink that is lighter than the paper (white on kraft) shows where the paper leaves room for it: on a ground
 // whose channels are this far below white, and if it is as much ink as this share of the darker one.
@@ -25,9 +27,9 @@ constexpr double light_ink_share = 0.2;
 
 // A filled area is at least this far from the paper, and this many times the paper's own noise.
 constexpr float faintest_fill = 0.05f, fill_over_noise = 3;
-constexpr float blur_contrast = 2;      // an edge at half of what is near it …
-constexpr int blur_reach = 2;           // … within so many pixels
-constexpr float opaque_darkness = 0.2f; // least of what is opaque on a page without paper
+constexpr float blur_contrast = 2;            // an edge at half of what is near it …
+constexpr int blur_reach = 2;                 // … within so many pixels
+constexpr float opaque_darkness = dark_pixel; // least of what is opaque on a page without paper
 
 RgbImage inverted(RgbImage page) {
     for (Rgb8& p : page)
@@ -77,20 +79,35 @@ Grid<float> distance_from(const RgbImage& page, const Paper& paper) {
     return darker;
 }
 
-// The darkness of the darkest strokes: a percentile over the pixels that are not paper.
-float dark_level(const Grid<float>& darkness) {
+struct Level {
+    float darkness = 0;
+    std::int64_t count = 0; // of the pixels that are darker than asked
+};
+Level percentile_above(const Grid<float>& darkness, float least) {
     std::array<std::int64_t, darkness_bins> histogram{};
-    std::int64_t count = 0;
+    Level level;
     for (float d : darkness) {
-        if (d <= dark_pixel) continue;
+        if (d <= least) continue;
         ++histogram[static_cast<std::size_t>(d * (darkness_bins - 1))];
-        ++count;
+        ++level.count;
     }
-    if (count == 0) return min_dark_level;
+    if (level.count == 0) return level;
     std::size_t bin = 0;
-    for (std::int64_t below = histogram[0]; 100 * below < dark_percent * count; below += histogram[bin])
+    for (std::int64_t below = histogram[0]; 100 * below < dark_percent * level.count; below += histogram[bin])
         ++bin;
-    return std::max(min_dark_level, static_cast<float>(bin) / (darkness_bins - 1));
+    level.darkness = static_cast<float>(bin) / (darkness_bins - 1);
+    return level;
+}
+
+// The darkness of the darkest strokes: a percentile over the pixels that are not paper; where a pale fill is
+// nearly all of them, over its strokes.
+float dark_level(const Grid<float>& darkness) {
+    const Level all = percentile_above(darkness, dark_pixel);
+    if (all.darkness < clear_stroke)
+        if (const Level strokes = percentile_above(darkness, clear_stroke);
+            static_cast<double>(strokes.count) >= stroke_share * static_cast<double>(all.count))
+            return std::max(min_dark_level, strokes.darkness);
+    return std::max(min_dark_level, all.darkness);
 }
 
 void normalise(Grid<float>& darkness) {

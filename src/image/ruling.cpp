@@ -18,6 +18,7 @@ constexpr double steepest = 0.06;   // slope against the page's sides
 // what is left of a shadow does not lie between them.
 constexpr float line_contrasts[] = {0.32f, 0.16f, 0.08f, 0.04f};
 constexpr double long_line = 0.5;   // of the page's side are covered by a line,
+constexpr double across_page = 0.8; // from its first to its last place,
 constexpr double known_line = 0.25; // or so much where the spacing says that one is due
 constexpr int fewest_lines = 3;
 constexpr double even_spacing = 0.15; // of the pitch
@@ -66,33 +67,40 @@ int offset_of(const Place& p, double slope, int length) {
     return static_cast<int>(std::floor(p.y - slope * (p.x - 0.5 * length) + 0.5));
 }
 
-// Per offset, the number of columns in which the line, three pixels thick, has a ridge.
+// Per offset, the number of columns in which the line, three pixels thick, has a ridge; 0 where it does not
+// go on from one side of the page to the other.
 std::vector<int> coverage(const std::vector<Place>& places, double slope, int length, int breadth) {
-    std::vector<int> columns(static_cast<std::size_t>(breadth), 0), last(columns.size(), -1);
+    struct Line {
+        int columns = 0, first = -1, last = -1;
+    };
+    std::vector<Line> lines(static_cast<std::size_t>(breadth));
     for (const Place& p : places) {
         const int middle = offset_of(p, slope, length);
         for (int o = std::max(0, middle - 1); o <= std::min(breadth - 1, middle + 1); ++o) {
-            const auto i = static_cast<std::size_t>(o);
-            if (last[i] == p.x) continue;
-            last[i] = p.x;
-            ++columns[i];
+            Line& line = lines[static_cast<std::size_t>(o)];
+            if (line.last == p.x) continue;
+            if (line.first < 0) line.first = p.x;
+            line.last = p.x;
+            ++line.columns;
         }
     }
+    std::vector<int> columns;
+    for (const Line& line : lines)
+        columns.push_back(line.last - line.first >= across_page * length ? line.columns : 0);
     return columns;
 }
 
-// Offsets whose coverage is largest around and at least `least`.
+// Middles of the runs of offsets that are covered at least half as much as they must be, where the run has
+// one that is covered so much: a thick line is one line.
 std::vector<int> peaks_of(const std::vector<int>& columns, int least) {
-    constexpr int around = 3;
     std::vector<int> peaks;
     const int n = static_cast<int>(columns.size());
     for (int o = 0; o < n; ++o) {
-        const int own = columns[static_cast<std::size_t>(o)];
-        if (own < least || (!peaks.empty() && o - peaks.back() <= around)) continue;
-        bool largest = true;
-        for (int k = std::max(0, o - around); k <= std::min(n - 1, o + around); ++k)
-            largest = largest && columns[static_cast<std::size_t>(k)] <= own;
-        if (largest) peaks.push_back(o);
+        const int first = o;
+        int most = 0;
+        for (; o < n && 2 * columns[static_cast<std::size_t>(o)] >= least; ++o)
+            most = std::max(most, columns[static_cast<std::size_t>(o)]);
+        if (most >= least) peaks.push_back((first + o - 1) / 2);
     }
     return peaks;
 }
@@ -123,7 +131,6 @@ Ruling find_ruling(const std::vector<Place>& places, int length, int breadth) {
     const int steps = static_cast<int>(steepest * length);
     double best = -1;
     Ruling ruling;
-    std::vector<int> columns;
     for (int step = -steps; step <= steps; ++step) {
         const double slope = static_cast<double>(step) / length;
         std::vector<int> counts(static_cast<std::size_t>(breadth), 0);
@@ -134,7 +141,7 @@ Ruling find_ruling(const std::vector<Place>& places, int length, int breadth) {
         for (int c : counts) squares += static_cast<double>(c) * c;
         if (squares > best) best = squares, ruling.slope = slope;
     }
-    columns = coverage(places, ruling.slope, length, breadth);
+    const std::vector<int> columns = coverage(places, ruling.slope, length, breadth);
     const std::vector<int> sure = peaks_of(columns, static_cast<int>(long_line * length));
     const double pitch = pitch_of(sure);
     if (pitch == 0) return ruling;

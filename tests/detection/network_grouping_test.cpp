@@ -47,7 +47,9 @@ TEST_CASE("Characters that touch are divided at the claims") {
     Claims claims{Grid<int>(60, 20, 0), {0.9, 0.8}};
     claim(claims.owner, {5, 0, 20, 20}, 1);
     claim(claims.owner, {35, 0, 20, 20}, 2);
-    const Grouping grouping = group_by_claims(ink, claims, {});
+    DetectionOptions far;
+    far.claimed_reach = 10;
+    const Grouping grouping = group_by_claims(ink, claims, far);
     REQUIRE(grouping.boxes.size() == 2);
     CHECK(grouping.groups(28, 9) == 1);
     CHECK(grouping.groups(31, 9) == 2);

@@ -48,8 +48,7 @@ TEST_CASE("A sheet on a desk is found, its corners to two pixels") {
                                               {{{60, 50}, {590, 45}, {585, 440}, {66, 430}}}};
     for (const SheetCorners& corners : sheets)
         for (const Rgb8 desk : {Rgb8{90, 60, 40}, Rgb8{30, 32, 35}, Rgb8{200, 170, 120}}) {
-            const std::optional<SheetCorners> found =
-                find_sheet(desk_with(corners, {235, 234, 228}, desk));
+            const std::optional<SheetCorners> found = find_sheet(desk_with(corners, {235, 234, 228}, desk));
             REQUIRE(found);
             CHECK(largest_error(*found, corners) < 2);
         }
@@ -82,14 +81,14 @@ TEST_CASE("A page without a desk, a framed drawing, half a shadow and a small ca
                      static_cast<std::uint8_t>(c.b * 0.7)};
             }
     CHECK_FALSE(find_sheet(shadow.image));
-    CHECK_FALSE(find_sheet(desk_with({{{250, 200}, {350, 200}, {350, 280}, {250, 280}}}, {240, 240, 240},
-                                     {80, 60, 40})));
+    CHECK_FALSE(find_sheet(
+        desk_with({{{250, 200}, {350, 200}, {350, 280}, {250, 280}}}, {240, 240, 240}, {80, 60, 40})));
     CHECK_FALSE(find_sheet(RgbImage(40, 40, Rgb8{200, 200, 200})));
 }
 
 TEST_CASE("A flattened sheet has the proportions of the sheet, and its corners in its corners") {
     // A camera above an A4 sheet of 297 × 210, tilted by 35°.
-    const double c = std::cos(0.61), s = std::sin(0.61), focal = 700, away = 620;
+    const double c = std::cos(0.61), s = std::sin(0.61), focal = 0.75 * 640, away = 480;
     SheetCorners corners;
     const std::array<Point2d, 4> sheet{{{-148.5, -105}, {148.5, -105}, {148.5, 105}, {-148.5, 105}}};
     for (std::size_t i = 0; i < 4; ++i) {

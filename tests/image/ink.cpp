@@ -68,7 +68,7 @@ TEST_CASE("Pale fills are drawn, whatever ground they are on") {
         {"red on blue of the same brightness", {90, 120, 200}, {40, 20, 20}, {200, 90, 70}, false},
         {"chalk on a green board", {35, 80, 60}, {235, 235, 225}, {150, 190, 170}, true},
         {"white on black", {12, 12, 14}, {250, 250, 250}, {120, 120, 130}, true},
-        {"white and black on kraft", {176, 136, 92}, {25, 20, 15}, {245, 240, 232}, false},
+        {"white and black on kraft", {176, 136, 92}, {25, 20, 15}, {245, 240, 232}, true},
     };
     for (const Case& c : cases)
         for (const int noise : {0, 3}) {
@@ -110,7 +110,8 @@ TEST_CASE("Ruled paper and grids of any darkness are paper, and strokes across t
                     for (int x = 0; x < width; ++x)
                         if ((y % step < 2 || (squared && x % step < 2)) && ruled(x, y).r == 255)
                             ruled(x, y) = {level, level, level};
-                const Grid<float> with = find_page_ink(ruled).darkness, without = find_page_ink(plain).darkness;
+                const Grid<float> with = find_page_ink(ruled).darkness,
+                                  without = find_page_ink(plain).darkness;
                 int left = 0, lost = 0, strokes = 0;
                 for (int y = 0; y < height; ++y)
                     for (int x = 0; x < width; ++x) {

@@ -10,14 +10,15 @@ using namespace pantin;
 
 namespace {
 
-// Darkness of a page: ink lines every 40 px and a filled rectangle, under `light(x, y)` in [0, 1].
+// Darkness of a page: ink lines every 40 px, too short for ruled ones, and a filled rectangle, under
+// `light(x, y)` in [0, 1].
 template <class Light> RgbImage photographed(int width, int height, Rgb8 paper, Light light) {
     std::mt19937 random{11};
     RgbImage page(width, height);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            const bool ink =
-                x % 40 < 3 || (x > width / 3 && x < width / 2 && y > height / 3 && y < height * 2 / 3);
+            const bool ink = (x % 40 < 3 && y > 50 && y < height - 50) ||
+                             (x > width / 3 && x < width / 2 && y > height / 3 && y < height * 2 / 3);
             const double reflected = (ink ? 0.2 : 1.0) * light(x, y);
             const int noise = static_cast<int>(random() % 5) - 2;
             const auto shade = [&](int v) {
@@ -88,7 +89,8 @@ TEST_CASE("Shadow gradients and yellow paper are no ink, filled areas are") {
         int paper_as_ink = 0, ink_as_paper = 0, ink_count = 0;
         for (int y = 0; y < 360; ++y) {
             for (int x = 0; x < 480; ++x) {
-                const bool ink = x % 40 < 3 || (x > 160 && x < 240 && y > 120 && y < 240);
+                const bool ink =
+                    (x % 40 < 3 && y > 50 && y < 310) || (x > 160 && x < 240 && y > 120 && y < 240);
                 ink_count += ink;
                 if (ink)
                     ink_as_paper += darkness(x, y) < 0.6f;

@@ -63,7 +63,8 @@ TEST_CASE("An exact mask is the silhouette to the pixel") {
     const RgbImage drawing = random_drawing(random, 90, 60);
     Mask mask(90, 60);
     for (int y = 3; y < 57; ++y)
-        for (int x = 5; x < 85; ++x) mask(x, y) = (x - 45) * (x - 45) + (y - 30) * (y - 30) > 60; // with a hole
+        for (int x = 5; x < 85; ++x)
+            mask(x, y) = (x - 45) * (x - 45) + (y - 30) * (y - 30) > 60; // with a hole
     const Segmentation result = tiny().segment(ink_of_crop(ink_darkness(drawing)), mask, {}, true);
     CHECK(foreground(result.labels) == mask);
 }
