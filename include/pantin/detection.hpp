@@ -60,11 +60,12 @@ struct DetectionOptions {
     // A character of which so much lies inside the silhouette of a larger one (an eye, a button) is none.
     double inside_share = 0.8;
     double shared_claim = 0.2;   // a piece of ink of which others claim this share is divided
-    double claimed_reach = 0.05; // ink of a character is this near to what is claimed (of its diagonal)
+    double claimed_reach = 0.05; // connected ink farther than this (of its diagonal) from what is claimed …
+    double claimed_extent = 0.35; // … is no character's if it goes on farther than this
     double unclaimed_reach =
         0.06; // ink that nobody claims belongs to a character this near (of its diagonal) …
-    double unclaimed_extent = 0.1; // … if it ends this near, too
-    int threads = 1;               // of the network; results do not depend on it
+    double unclaimed_extent = 0.35; // … if it ends this near, too
+    int threads = 1;                // of the network; results do not depend on it
 };
 
 // The network that finds characters on a page: Mask R-CNN (He et al. 2017; thesis 4.2, ch. 5), the compact

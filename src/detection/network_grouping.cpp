@@ -74,21 +74,27 @@ Mask where_positive(const Grid<int>& values) {
     return mask;
 }
 
-// Takes from each group the pixels that are farther than `reach` of its claims' diagonal from all of them.
-void drop_distant(Grid<int>& groups, const Grid<int>& owner, double reach) {
-    const int count = groups.empty() ? 0 : *std::max_element(groups.begin(), groups.end());
-    const std::vector<Box> boxes =
-        boxes_of(owner, std::max(count, *std::max_element(owner.begin(), owner.end())));
+// Takes from a group the connected ink away from its claims that goes on too far for a tail.
+void drop_distant(Grid<int>& groups, const Grid<int>& owner, const DetectionOptions& options) {
+    const int count = *std::max_element(owner.begin(), owner.end());
+    const std::vector<Box> boxes = boxes_of(owner, count);
     for (int g = 1; g <= count; ++g) {
         const Box& box = boxes[static_cast<std::size_t>(g) - 1];
-        const double farthest =
-            reach * length(Point2d{static_cast<double>(box.width), static_cast<double>(box.height)});
-        Mask own(owner.width(), owner.height());
-        std::transform(owner.begin(), owner.end(), own.begin(),
-                       [g](int o) -> std::uint8_t { return o == g; });
-        const Mask near = dilate_disc(own, farthest);
-        for (std::size_t i = 0; i < groups.size(); ++i)
-            if (groups.data()[i] == g && !near.data()[i]) groups.data()[i] = 0;
+        const double diagonal =
+            length(Point2d{static_cast<double>(box.width), static_cast<double>(box.height)});
+        Mask claimed(owner.width(), owner.height()), beyond = claimed;
+        for (std::size_t i = 0; i < owner.size(); ++i) claimed.data()[i] = owner.data()[i] == g;
+        const Mask near = dilate_disc(claimed, options.claimed_reach * diagonal),
+                   possible = dilate_disc(claimed, options.claimed_extent * diagonal);
+        for (std::size_t i = 0; i < owner.size(); ++i)
+            beyond.data()[i] = groups.data()[i] == g && !near.data()[i];
+        const Components pieces = connected_components(beyond);
+        std::vector<char> endless(pieces.list.size() + 1, 0);
+        for (std::size_t i = 0; i < owner.size(); ++i)
+            if (beyond.data()[i] && !possible.data()[i])
+                endless[static_cast<std::size_t>(pieces.ids.data()[i])] = 1;
+        for (std::size_t i = 0; i < owner.size(); ++i)
+            if (endless[static_cast<std::size_t>(pieces.ids.data()[i])]) groups.data()[i] = 0;
     }
 }
 
@@ -106,7 +112,7 @@ Grid<int> give_claimed(const Components& pieces, const Claims& claims, const Det
         groups.data()[i] =
             owner >= 0 ? owner : claims.owner.data()[static_cast<std::size_t>(nearest.data()[i])];
     }
-    drop_distant(groups, claims.owner, options.claimed_reach);
+    drop_distant(groups, claims.owner, options);
     return groups;
 }
 

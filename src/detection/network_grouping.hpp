@@ -19,8 +19,8 @@ std::vector<CharacterFinder::Found> whole_characters(std::vector<CharacterFinder
 // The network says which ink belongs together, the ink says where the border runs:
 // 1. A connected piece of ink goes to the detection that claims most of its claimed pixels. A piece of which
 //    `shared_claim` or more go to others (characters that touch) is divided, each pixel to the nearest claim.
-//    Of a piece that goes on far beyond its character (a line of grass, the frame of the page) what lies
-//    farther than `claimed_reach` of the character's diagonal from its claims belongs to nobody.
+//    What of it lies farther than `claimed_reach` of the character's diagonal from its claims and goes on
+//    beyond `claimed_extent` (a line of grass, the frame of the page; a tail ends before) belongs to nobody.
 // 2. A piece that nobody claims goes to the nearest claimed ink within `unclaimed_reach` of that character's
 //    diagonal (the mask is coarse, fingers and antennae stick out of it) if no pixel of it is farther than
 //    `unclaimed_extent` (a house beside a person is no part of it), else it is no character's.

@@ -54,6 +54,7 @@ template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visi
     visit("detection.shared_claim", o.shared_claim, 0, 1);
     visit("detection.inside_share", o.inside_share, 0, 2);
     visit("detection.claimed_reach", o.claimed_reach, 0, 10);
+    visit("detection.claimed_extent", o.claimed_extent, 0, 10);
     visit("detection.unclaimed_reach", o.unclaimed_reach, 0, 1);
     visit("detection.unclaimed_extent", o.unclaimed_extent, 0, 10);
 }
