@@ -20,6 +20,7 @@ namespace {
 
 // What a run writes into a character's folder; `trace` and `frames` are folders.
 constexpr const char* own_files[] = {file_names::drawing,
+                                     file_names::ink,
                                      file_names::mask,
                                      file_names::labels,
                                      file_names::segmentation,
