@@ -62,6 +62,7 @@ Films films_of(const fs::path& folder) {
 // What to do when the character cannot go on. A reference overrules the first refusals and can be another one
 // when the rig is impossible; it does not help where there is no skeleton, or no such clip.
 std::string advice(const fs::path& folder, const std::string& status, bool reference_given) {
+    if (status.starts_with("left out")) return "";
     if (status.starts_with("render: ")) return "";
     const bool may_help =
         status.starts_with("rig: ") || (!reference_given && !status.starts_with("skeletonize: "));

@@ -94,14 +94,51 @@ Grid<float> own_darkness(Grid<float> darkness, const Mask& own, const Mask& ink)
     return darkness;
 }
 
-// A figure that is filled with opaque pixels is its own silhouette; one of lines alone is a drawing without
+long area_of(const Mask& mask) { return std::count(mask.begin(), mask.end(), 1); }
+
+// Opaque pixels that are no strokes.
+Mask filled_part(const Mask& opaque) {
+    constexpr double widest_stroke = 0.012; // half of it, of the longer side
+    const double radius = std::max(2.0, widest_stroke * std::max(opaque.width(), opaque.height()));
+    return dilate_disc(open_disc(opaque, radius), 1.5);
+}
+
+// What lines close in is filled, a hole in a filled area is none of it: the border decides.
+void fill_between_lines(Mask& cut_out, const Mask& closed, const Mask& filled) {
+    constexpr double stroke_share = 0.3;
+    Mask inside = closed;
+    for (std::size_t i = 0; i < inside.size(); ++i) inside.data()[i] = closed.data()[i] && !cut_out.data()[i];
+    const Components regions = connected_components(inside);
+    std::vector<long> border(regions.list.size() + 1, 0), strokes = border;
+    constexpr int dx[] = {1, 0, -1, 0}, dy[] = {0, 1, 0, -1};
+    for (int y = 0; y < inside.height(); ++y)
+        for (int x = 0; x < inside.width(); ++x) {
+            if (!inside(x, y)) continue;
+            const auto id = static_cast<std::size_t>(regions.ids(x, y));
+            for (int k = 0; k < 4; ++k) {
+                const int u = x + dx[k], v = y + dy[k];
+                if (!cut_out.value_or(u, v, 0)) continue;
+                ++border[id];
+                strokes[id] += !filled(u, v);
+            }
+        }
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+        const auto id = static_cast<std::size_t>(regions.ids.data()[i]);
+        if (id != 0 && static_cast<double>(strokes[id]) >= stroke_share * static_cast<double>(border[id]))
+            cut_out.data()[i] = 1;
+    }
+}
+
+// A figure that is largely filled with opaque pixels is its own silhouette; one of lines is a drawing without
 // paper.
 void keep_cut_out(DetectedCharacter& character, const Mask& opaque) {
-    constexpr double filled_share = 0.7;
-    const Mask cut_out = at_working_size(opaque, character.scale, 0.5f);
-    const auto area = [](const Mask& m) { return static_cast<double>(std::count(m.begin(), m.end(), 1)); };
-    if (area(cut_out) < filled_share * area(character.mask)) return;
-    character.mask = cut_out;
+    constexpr double filled_share = 0.3;
+    Mask cut_out = at_working_size(opaque, character.scale, 0.5f);
+    const Mask filled = filled_part(cut_out);
+    if (static_cast<double>(area_of(filled)) < filled_share * static_cast<double>(area_of(character.mask)))
+        return;
+    fill_between_lines(cut_out, character.mask, filled);
+    character.mask = std::move(cut_out);
     character.exact_mask = true;
 }
 
@@ -174,6 +211,24 @@ double share_inside(const DetectedCharacter& part, const DetectedCharacter& whol
     return own == 0 ? 0 : static_cast<double>(inside) / static_cast<double>(own);
 }
 
+// The ink of a silhouette that is known. The paper is what lies around it, whatever else the picture shows,
+// and nothing outside of it is drawn.
+Grid<float> darkness_near(const RgbImage& page, const PageInk& page_ink, const Mask& silhouette,
+                          const Box& box) {
+    constexpr double surroundings = 0.1; // of the box's longer side
+    const int more = static_cast<int>(surroundings * std::max(box.width, box.height));
+    const int left = std::max(0, box.x - more), top = std::max(0, box.y - more);
+    const Box around{left, top, std::min(page.width(), box.x + box.width + more) - left,
+                     std::min(page.height(), box.y + box.height + more) - top};
+    const Box inner{box.x - left, box.y - top, box.width, box.height};
+    Grid<float> darkness = page_ink.cut_out ? crop(page_ink.darkness, box)
+                                            : crop(ink_darkness(crop(page, around)), inner);
+    const Mask near = dilate_disc(crop(silhouette, box), std::max(2.0, 0.01 * std::max(box.width, box.height)));
+    for (std::size_t i = 0; i < darkness.size(); ++i)
+        if (!near.data()[i]) darkness.data()[i] = 0;
+    return darkness;
+}
+
 // Eyes, buttons, a child's face: what lies inside a larger character is a part of it.
 void drop_inside(std::vector<DetectedCharacter>& characters, double inside_share) {
     const auto area = [](const DetectedCharacter& c) { return std::int64_t{c.box.width} * c.box.height; };
@@ -241,7 +296,7 @@ DetectedCharacter character_of(const RgbImage& page, const PageInk& page_ink, co
     character.scale = working_scale(character.box, options);
     character.score = 1;
     character.drawing = crop(page, character.box);
-    character.ink = ink_of_crop(crop(page_ink.darkness, character.box));
+    character.ink = ink_of_crop(darkness_near(page, page_ink, silhouette, character.box));
     character.mask = at_working_size(crop(silhouette, character.box), character.scale, 0.5f);
     character.exact_mask = true;
     return character;

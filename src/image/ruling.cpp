@@ -18,6 +18,8 @@ constexpr double steepest = 0.06;   // slope against the page's sides
 // what is left of a shadow does not lie between them.
 constexpr float line_contrasts[] = {0.32f, 0.16f, 0.08f, 0.04f};
 constexpr double long_line = 0.5;   // of the page's side are covered by a line,
+constexpr double stretch = 0.1;         // in stretches of at least this length
+constexpr int longest_break = 4;        // with no more between two places,
 constexpr double across_page = 0.8; // from its first to its last place,
 constexpr double known_line = 0.25; // or so much where the spacing says that one is due
 constexpr int fewest_lines = 3;
@@ -67,26 +69,33 @@ int offset_of(const Place& p, double slope, int length) {
     return static_cast<int>(std::floor(p.y - slope * (p.x - 0.5 * length) + 0.5));
 }
 
-// Per offset, the number of columns in which the line, three pixels thick, has a ridge; 0 where it does not
-// go on from one side of the page to the other.
+// Per offset, the number of columns in which the line, three pixels thick, has a ridge, in stretches that are
+// long enough for a line; 0 where it does not go on from one side of the page to the other. (The trousers of
+// figures in a row are many short stretches.)
 std::vector<int> coverage(const std::vector<Place>& places, double slope, int length, int breadth) {
     struct Line {
-        int columns = 0, first = -1, last = -1;
+        int columns = 0, first = -1, last = -1, start = -1;
     };
     std::vector<Line> lines(static_cast<std::size_t>(breadth));
+    const auto end_stretch = [&](Line& line) {
+        if (line.start >= 0 && line.last - line.start + 1 >= stretch * length)
+            line.columns += line.last - line.start + 1;
+    };
     for (const Place& p : places) {
         const int middle = offset_of(p, slope, length);
         for (int o = std::max(0, middle - 1); o <= std::min(breadth - 1, middle + 1); ++o) {
             Line& line = lines[static_cast<std::size_t>(o)];
             if (line.last == p.x) continue;
             if (line.first < 0) line.first = p.x;
+            if (line.start < 0 || p.x - line.last > longest_break) end_stretch(line), line.start = p.x;
             line.last = p.x;
-            ++line.columns;
         }
     }
     std::vector<int> columns;
-    for (const Line& line : lines)
+    for (Line& line : lines) {
+        end_stretch(line);
         columns.push_back(line.last - line.first >= across_page * length ? line.columns : 0);
+    }
     return columns;
 }
 

@@ -15,6 +15,7 @@
 #include "pipeline/former_run.hpp"
 #include "pipeline/overrides.hpp"
 #include "pipeline/overview.hpp"
+#include "pipeline/page_picture.hpp"
 
 namespace pantin {
 
@@ -44,51 +45,12 @@ void check_choice(const std::vector<int>& only, const Page& page, const fs::path
                                               (count == 1 ? " character" : " characters"));
 }
 
-struct Upright {
-    RgbImage picture;
-    PageInk ink;
-    std::optional<SheetCorners> sheet;
-};
-
-// A transparent ground: most of the picture's border is.
-bool is_cut_out(const RgbaImage& picture) {
-    long border = 0, clear = 0;
-    for (int y = 0; y < picture.height(); ++y)
-        for (int x = 0; x < picture.width(); ++x) {
-            if (x > 0 && y > 0 && x + 1 < picture.width() && y + 1 < picture.height()) continue;
-            ++border;
-            clear += !is_opaque(picture(x, y));
-        }
-    return 2 * clear > border;
-}
-
-// The picture as it is to be read, and its ink. Of a cut-out the colours are kept as they are, on white.
-// Of a photograph the sheet alone, unless masks or labels of the picture's size are given.
-Upright load_upright(const fs::path& file, const Settings& settings, bool flattens) {
-    const int rotate = settings.rotate;
-    const RgbaImage loaded = load_rgba(file, min_image_side);
-    if (!is_cut_out(loaded)) {
-        RgbImage picture = composite_on_white(loaded);
-        std::optional<SheetCorners> sheet;
-        if (flattens) sheet = find_sheet(picture);
-        if (sheet) picture = flattened(picture, *sheet);
-        picture = turned(std::move(picture), rotate);
-        PageInk ink = find_page_ink(picture);
-        return {std::move(picture), std::move(ink), sheet};
-    }
-    const RgbaImage cut_out = turned(loaded, rotate);
-    RgbImage picture(cut_out.width(), cut_out.height(), Rgb8{255, 255, 255});
-    for (std::size_t i = 0; i < picture.size(); ++i)
-        if (const Rgba8 p = cut_out.data()[i]; is_opaque(p)) picture.data()[i] = {p.r, p.g, p.b};
-    return {std::move(picture), find_cut_out_ink(cut_out), std::nullopt};
-}
-
 // What a person should know before looking at the result.
-void tell_of_paper(const fs::path& image, const Upright& upright, bool given, const Context& context) {
-    if (upright.sheet)
+void tell_of_paper(const fs::path& image, const PagePicture& loaded, bool given, const Context& context) {
+    if (loaded.sheet)
         context.notice(image.string() +
                        ": shows a sheet of paper on something else; the sheet alone is read");
-    else if (!given && !upright.ink.cut_out && upright.ink.bare_border < least_bare_border)
+    else if (!given && !loaded.ink.cut_out && loaded.ink.bare_border < least_bare_border)
         context.notice(
             image.string() +
             ": only part of the picture seems to be paper, and no whole sheet is in sight: crop the "
@@ -114,23 +76,23 @@ fs::path page_beside(const fs::path& folder) {
 AnimatedPage detect_characters(const fs::path& image, Context& context) {
     const Settings& settings = context.settings();
     AnimatedPage result;
-    Upright upright =
-        load_upright(picture_of(image), settings,
-                     context.options().detection.flatten_sheet && !has_given_character(image, settings));
-    result.picture = std::move(upright.picture);
+    PagePicture loaded = load_page_picture(
+        picture_of(image), settings.rotate,
+        context.options().detection.flatten_sheet && !has_given_character(image, settings));
+    result.picture = std::move(loaded.picture);
     std::optional<GivenCharacter> given =
-        given_character(result.picture, upright.ink, image, settings, context.options().detection);
+        given_character(result.picture, loaded.ink, image, settings, context.options().detection);
     Detection detection;
     if (given)
         detection.characters.push_back(std::move(given->detected));
     else
-        detection = detect_on(result.picture, upright.ink, image, context);
-    tell_of_paper(image, upright, given.has_value(), context);
+        detection = detect_on(result.picture, loaded.ink, image, context);
+    tell_of_paper(image, loaded, given.has_value(), context);
     result.ink = std::move(detection.ink);
 
     Page& page = result.page;
     page.source = image.filename().string();
-    page.sheet = upright.sheet;
+    page.sheet = loaded.sheet;
     page.rotate = settings.rotate;
     page.width = result.picture.width();
     page.height = result.picture.height();

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// What of a picture's alpha is the figure, what is the paper, and which ground it stands on.
+#include "pipeline/page_picture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace pantin {
+
+namespace {
+
+constexpr int pale = 200; // luma from which a figure would vanish on white
+constexpr Rgb8 light_ground{255, 255, 255}, dark_ground{48, 52, 60};
+constexpr int faintest_alpha = 8; // a picture that is nowhere more opaque is empty
+
+constexpr double sheet_size = 0.3;      // of the picture is opaque when it is a sheet,
+constexpr double sheet_solidity = 0.97; // its outline is convex,
+constexpr double sheet_paper = 0.5;     // and most of it has one brightness
+constexpr int paper_range = 10;         // levels to either side
+
+// A picture that is half transparent everywhere is no less a picture: its largest alpha becomes 255.
+RgbaImage with_full_alpha(RgbaImage image) {
+    int most = 0;
+    for (const Rgba8& p : image) most = std::max<int>(most, p.a);
+    if (most == 255 || most < faintest_alpha) return image;
+    for (Rgba8& p : image) p.a = static_cast<std::uint8_t>((p.a * 255 + most / 2) / most);
+    return image;
+}
+
+Mask opaque_part(const RgbaImage& picture) {
+    Mask opaque(picture.width(), picture.height());
+    std::transform(picture.begin(), picture.end(), opaque.begin(),
+                   [](Rgba8 p) -> std::uint8_t { return is_opaque(p); });
+    return opaque;
+}
+
+// A transparent ground: most of the picture's border is.
+bool has_transparent_border(const Mask& opaque) {
+    long border = 0, clear = 0;
+    for (int y = 0; y < opaque.height(); ++y)
+        for (int x = 0; x < opaque.width(); ++x) {
+            if (x > 0 && y > 0 && x + 1 < opaque.width() && y + 1 < opaque.height()) continue;
+            ++border;
+            clear += !opaque(x, y);
+        }
+    return 2 * clear > border;
+}
+
+// The luma that most opaque pixels have about them.
+int commonest_luma(const GreyImage& luma, const Mask& opaque, double& share) {
+    std::array<long, 256> histogram{};
+    long all = 0;
+    for (std::size_t i = 0; i < luma.size(); ++i)
+        if (opaque.data()[i]) ++histogram[luma.data()[i]], ++all;
+    long most = 0;
+    int commonest = 255;
+    for (int v = 0; v < 256; ++v) {
+        long near = 0;
+        for (int k = std::max(0, v - paper_range); k <= std::min(255, v + paper_range); ++k)
+            near += histogram[static_cast<std::size_t>(k)];
+        if (near > most) most = near, commonest = v;
+    }
+    share = all == 0 ? 0 : static_cast<double>(most) / static_cast<double>(all);
+    return commonest;
+}
+
+// Pixels of the convex hull's rows and columns: between the first and the last opaque pixel of both.
+bool is_solid(const Mask& opaque) {
+    long area = 0, spanned = 0;
+    for (int y = 0; y < opaque.height(); ++y) {
+        int first = -1, last = -1;
+        for (int x = 0; x < opaque.width(); ++x)
+            if (opaque(x, y)) first = first < 0 ? x : first, last = x, ++area;
+        if (first >= 0) spanned += last - first + 1;
+    }
+    if (static_cast<double>(area) < sheet_solidity * static_cast<double>(spanned)) return false;
+    spanned = 0;
+    for (int x = 0; x < opaque.width(); ++x) {
+        int first = -1, last = -1;
+        for (int y = 0; y < opaque.height(); ++y)
+            if (opaque(x, y)) first = first < 0 ? y : first, last = y;
+        if (first >= 0) spanned += last - first + 1;
+    }
+    return static_cast<double>(area) >= sheet_solidity * static_cast<double>(spanned) &&
+           static_cast<double>(area) >= sheet_size * static_cast<double>(opaque.size());
+}
+
+// The mean colour of the opaque pixels that are about as bright as most.
+Rgb8 paper_of(const RgbaImage& picture, const GreyImage& luma, const Mask& opaque, int commonest) {
+    std::array<long, 3> sum{};
+    long count = 0;
+    for (std::size_t i = 0; i < luma.size(); ++i) {
+        if (!opaque.data()[i] || std::abs(luma.data()[i] - commonest) > paper_range) continue;
+        const Rgba8 p = picture.data()[i];
+        sum[0] += p.r, sum[1] += p.g, sum[2] += p.b, ++count;
+    }
+    const auto mean = [&](long s) { return static_cast<std::uint8_t>((s + count / 2) / std::max(1L, count)); };
+    return {mean(sum[0]), mean(sum[1]), mean(sum[2])};
+}
+
+RgbImage on_ground(const RgbaImage& picture, const Mask& opaque, Rgb8 ground) {
+    RgbImage image(picture.width(), picture.height(), ground);
+    for (std::size_t i = 0; i < image.size(); ++i)
+        if (const Rgba8 p = picture.data()[i]; opaque.data()[i]) image.data()[i] = {p.r, p.g, p.b};
+    return image;
+}
+
+PagePicture on_paper(RgbImage picture, int rotate, bool flattens) {
+    PagePicture page;
+    if (flattens) page.sheet = find_sheet(picture);
+    if (page.sheet) picture = flattened(picture, *page.sheet);
+    page.picture = turned(std::move(picture), rotate);
+    page.ink = find_page_ink(page.picture);
+    return page;
+}
+
+} // namespace
+
+PagePicture load_page_picture(const std::filesystem::path& file, int rotate, bool flattens) {
+    const RgbaImage loaded = with_full_alpha(load_rgba(file, min_image_side));
+    const Mask opaque = opaque_part(loaded);
+    if (!has_transparent_border(opaque)) return on_paper(composite_on_white(loaded), rotate, flattens);
+
+    RgbImage colours(loaded.width(), loaded.height());
+    std::transform(loaded.begin(), loaded.end(), colours.begin(), [](Rgba8 p) { return Rgb8{p.r, p.g, p.b}; });
+    const GreyImage luma = greyscale(colours);
+    double share = 0;
+    const int commonest = commonest_luma(luma, opaque, share);
+    if (share >= sheet_paper && is_solid(opaque))
+        return on_paper(on_ground(loaded, opaque, paper_of(loaded, luma, opaque, commonest)), rotate, false);
+
+    long pale_pixels = 0, all = 0;
+    for (std::size_t i = 0; i < luma.size(); ++i)
+        if (opaque.data()[i]) ++all, pale_pixels += luma.data()[i] >= pale;
+    // Nine in ten: a pale figure with a dark outline shows on white.
+    const Rgb8 ground = 10 * pale_pixels > 9 * all ? dark_ground : light_ground;
+    PagePicture page;
+    page.picture = turned(on_ground(loaded, opaque, ground), rotate);
+    page.ink = find_cut_out_ink(turned(loaded, rotate));
+    return page;
+}
+
+} // namespace pantin
