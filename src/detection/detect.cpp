@@ -98,8 +98,8 @@ long area_of(const Mask& mask) { return std::count(mask.begin(), mask.end(), 1);
 
 // Opaque pixels that are no strokes.
 Mask filled_part(const Mask& opaque) {
-    constexpr double widest_stroke = 0.012; // half of it, of the longer side
-    const double radius = std::max(2.0, widest_stroke * std::max(opaque.width(), opaque.height()));
+    constexpr double widest_stroke = 0.02; // half of it, of the longer side
+    const double radius = std::max(3.0, widest_stroke * std::max(opaque.width(), opaque.height()));
     return dilate_disc(open_disc(opaque, radius), 1.5);
 }
 
@@ -221,9 +221,10 @@ Grid<float> darkness_near(const RgbImage& page, const PageInk& page_ink, const M
     const Box around{left, top, std::min(page.width(), box.x + box.width + more) - left,
                      std::min(page.height(), box.y + box.height + more) - top};
     const Box inner{box.x - left, box.y - top, box.width, box.height};
-    Grid<float> darkness = page_ink.cut_out ? crop(page_ink.darkness, box)
-                                            : crop(ink_darkness(crop(page, around)), inner);
-    const Mask near = dilate_disc(crop(silhouette, box), std::max(2.0, 0.01 * std::max(box.width, box.height)));
+    Grid<float> darkness =
+        page_ink.cut_out ? crop(page_ink.darkness, box) : crop(ink_darkness(crop(page, around)), inner);
+    const Mask near =
+        dilate_disc(crop(silhouette, box), std::max(2.0, 0.01 * std::max(box.width, box.height)));
     for (std::size_t i = 0; i < darkness.size(); ++i)
         if (!near.data()[i]) darkness.data()[i] = 0;
     return darkness;

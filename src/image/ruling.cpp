@@ -18,8 +18,8 @@ constexpr double steepest = 0.06;   // slope against the page's sides
 // what is left of a shadow does not lie between them.
 constexpr float line_contrasts[] = {0.32f, 0.16f, 0.08f, 0.04f};
 constexpr double long_line = 0.5;   // of the page's side are covered by a line,
-constexpr double stretch = 0.1;         // in stretches of at least this length
-constexpr int longest_break = 4;        // with no more between two places,
+constexpr double stretch = 0.1;     // in stretches of at least this length
+constexpr int longest_break = 4;    // with no more between two places,
 constexpr double across_page = 0.8; // from its first to its last place,
 constexpr double known_line = 0.25; // or so much where the spacing says that one is due
 constexpr int fewest_lines = 3;

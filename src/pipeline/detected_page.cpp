@@ -76,9 +76,9 @@ fs::path page_beside(const fs::path& folder) {
 AnimatedPage detect_characters(const fs::path& image, Context& context) {
     const Settings& settings = context.settings();
     AnimatedPage result;
-    PagePicture loaded = load_page_picture(
-        picture_of(image), settings.rotate,
-        context.options().detection.flatten_sheet && !has_given_character(image, settings));
+    PagePicture loaded =
+        load_page_picture(picture_of(image), settings.rotate,
+                          context.options().detection.flatten_sheet && !has_given_character(image, settings));
     result.picture = std::move(loaded.picture);
     std::optional<GivenCharacter> given =
         given_character(result.picture, loaded.ink, image, settings, context.options().detection);

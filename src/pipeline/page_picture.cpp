@@ -95,7 +95,9 @@ Rgb8 paper_of(const RgbaImage& picture, const GreyImage& luma, const Mask& opaqu
         const Rgba8 p = picture.data()[i];
         sum[0] += p.r, sum[1] += p.g, sum[2] += p.b, ++count;
     }
-    const auto mean = [&](long s) { return static_cast<std::uint8_t>((s + count / 2) / std::max(1L, count)); };
+    const auto mean = [&](long s) {
+        return static_cast<std::uint8_t>((s + count / 2) / std::max(1L, count));
+    };
     return {mean(sum[0]), mean(sum[1]), mean(sum[2])};
 }
 
@@ -123,7 +125,9 @@ PagePicture load_page_picture(const std::filesystem::path& file, int rotate, boo
     if (!has_transparent_border(opaque)) return on_paper(composite_on_white(loaded), rotate, flattens);
 
     RgbImage colours(loaded.width(), loaded.height());
-    std::transform(loaded.begin(), loaded.end(), colours.begin(), [](Rgba8 p) { return Rgb8{p.r, p.g, p.b}; });
+    std::transform(loaded.begin(), loaded.end(), colours.begin(), [](Rgba8 p) {
+        return Rgb8{p.r, p.g, p.b};
+    });
     const GreyImage luma = greyscale(colours);
     double share = 0;
     const int commonest = commonest_luma(luma, opaque, share);

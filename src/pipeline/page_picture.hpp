@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A file to the picture of the page that step 1 sees: on paper or cut out, the sheet alone, turned; and its ink.
+// A file to the picture of the page that step 1 sees: on paper or cut out, the sheet alone, turned; and its
+// ink.
 #pragma once
 
 #include <filesystem>
@@ -17,9 +18,9 @@ struct PagePicture {
     std::optional<SheetCorners> sheet; // in the file's picture, when it was flattened
 };
 
-// flattens: whether a sheet on a photograph is looked for. A figure on a transparent ground keeps its colours and
-// stands on white, or on dark when it is itself nearly white. A sheet of paper that was cut out is a page.
-// Error(input) names the file.
+// flattens: whether a sheet on a photograph is looked for. A figure on a transparent ground keeps its colours
+// and stands on white, or on dark when it is itself nearly white. A sheet of paper that was cut out is a
+// page. Error(input) names the file.
 PagePicture load_page_picture(const std::filesystem::path& file, int rotate, bool flattens);
 
 } // namespace pantin

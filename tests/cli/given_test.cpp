@@ -120,6 +120,43 @@ TEST_CASE("--only animates the characters of those numbers; page.png shows which
     CHECK(beyond.err.find("--only 9") != std::string::npos);
 }
 
+TEST_CASE(
+    "A cut-out keeps its silhouette; a sheet with a transparent rim is a page; white lines stand on dark",
+    "[cli][given]") {
+    const TemporaryFolder folder;
+    const RgbImage drawn = load_image(small_page);
+    const auto run = [&](const RgbaImage& picture) {
+        save_png(folder / "cut.png", picture);
+        fs::remove_all(folder / "out");
+        REQUIRE(run_pantin(std::vector<std::string>{"detect", (folder / "cut.png").string(), "-o",
+                                                    (folder / "out").string()})
+                    .code == 0);
+        const Json page = Json::parse(read(folder / "out/page.json"));
+        REQUIRE(page["characters"].size() == 1);
+        return page["characters"][0].contains("exact_mask");
+    };
+    RgbaImage rim(drawn.width(), drawn.height()), lines = rim, faint = rim;
+    for (int y = 0; y < drawn.height(); ++y)
+        for (int x = 0; x < drawn.width(); ++x) {
+            const Rgb8 c = drawn(x, y);
+            const bool inside = x > 2 && y > 2 && x + 3 < drawn.width() && y + 3 < drawn.height();
+            const bool ink = c.r < 128;
+            rim(x, y) = {c.r, c.g, c.b, static_cast<std::uint8_t>(inside ? 255 : 0)};
+            lines(x, y) = {255, 255, 255, static_cast<std::uint8_t>(ink ? 255 : 0)};
+            faint(x, y) = {c.r, c.g, c.b, static_cast<std::uint8_t>(ink ? 100 : 0)};
+        }
+    CHECK_FALSE(run(rim));
+    const GreyImage on_paper = load_grey(folder / "out/character-1/mask.png");
+    long whole = 0;
+    for (std::uint8_t v : on_paper) whole += v != 0;
+    CHECK(whole < 0.8 * static_cast<double>(on_paper.size())); // the figure, not the sheet
+    run(lines);
+    const RgbImage shown = load_image(folder / "out/character-1/drawing.png", 1);
+    CHECK(std::count(shown.begin(), shown.end(), Rgb8{255, 255, 255}) > 0);
+    CHECK(2 * std::count(shown.begin(), shown.end(), Rgb8{255, 255, 255}) < static_cast<long>(shown.size()));
+    run(faint);
+}
+
 TEST_CASE("A page.png that no run wrote is the user's", "[cli][given]") {
     const TemporaryFolder folder;
     fs::copy_file(small_page, folder / "page.png");

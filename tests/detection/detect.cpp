@@ -150,6 +150,14 @@ TEST_CASE("A filled cut-out is its own silhouette, holes and all; one of lines i
     CHECK(found.characters[0].exact_mask);
     CHECK(on_page(found, found.characters[0]) == truth);
 
+    // Filled but for the head, which is a line: the head is closed, the hole stays.
+    for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 240; ++x)
+            if (std::hypot(x - 120, y - 30) < 20 && y < 44) page(x, y) = {0, 0, 0, 0};
+    const Detection hollow = detect(colours, find_cut_out_ink(page));
+    REQUIRE(hollow.characters.size() == 1);
+    CHECK(on_page(hollow, hollow.characters[0]) == truth);
+
     RgbaImage lines(240, 200, Rgba8{0, 0, 0, 0});
     for (int y = 0; y < 200; ++y)
         for (int x = 0; x < 240; ++x)

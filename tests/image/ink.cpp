@@ -124,6 +124,17 @@ TEST_CASE("Ruled paper and grids of any darkness are paper, and strokes across t
             }
 }
 
+TEST_CASE("Figures in rows are no ruled paper") {
+    RgbImage page(640, 480, Rgb8{255, 255, 255});
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 8; ++column)
+            for (int y = 0; y < 12; ++y)
+                for (int x = 0; x < 60; ++x) page(12 + 79 * column + x, 60 + 110 * row + y) = {30, 60, 160};
+    const Grid<float> darkness = ink_darkness(page);
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 8; ++column) CHECK(darkness(40 + 79 * column, 66 + 110 * row) > 0.9f);
+}
+
 TEST_CASE("Three fence posts are no ruled paper") {
     RgbImage page(width, height, Rgb8{255, 255, 255});
     for (int y = 60; y < 180; ++y)
