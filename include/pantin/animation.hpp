@@ -32,7 +32,13 @@ struct BoneAnimation {
     // The character stays in its place and the ground passes below it: world units a second, negative to the
     // left; 0: none.
     double ground_speed = 0;
+    // [bone][time], or empty: how far what the bone carries is moved towards the viewer, which decides what
+    // is drawn before what; world units, not added up from the root.
+    std::vector<std::vector<double>> depths;
+    std::vector<double> camera; // [time], or empty: world x that films go along with
 };
+// The animation as a camera sees it that goes along with `camera`. No error. Own.
+BoneAnimation as_filmed(BoneAnimation animation);
 // Samples `samples` + 1 key poses of a reference's clip on the rig's bones, evenly over its duration. The
 // clip is one of that reference; samples ≥ 1. No error. Thesis 3.3 (Fig. 3.12) and 6.1.
 BoneAnimation retarget(const Rig& rig, const ReferenceSkeleton& reference, const ReferenceClip& clip,

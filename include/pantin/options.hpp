@@ -14,6 +14,7 @@
 #include "pantin/detection.hpp"
 #include "pantin/identification.hpp"
 #include "pantin/model.hpp"
+#include "pantin/motion.hpp"
 #include "pantin/rigging.hpp"
 #include "pantin/segmentation.hpp"
 #include "pantin/skeletonization.hpp"
@@ -23,6 +24,7 @@ namespace pantin {
 struct AnimationOptions {
     int samples = 24; // key poses of a clip in character.glb and between which frames are interpolated
     double motion_start = 0, motion_seconds = 12; // the part of a recorded motion that is used
+    Way motion_way = Way::automatic;              // what becomes of its way over the ground
 };
 
 // The options of all steps. Their names in a configuration file are `<group>.<field>` (docs/formats.md).

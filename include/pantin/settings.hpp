@@ -38,12 +38,13 @@ struct Settings {
     std::filesystem::path weights;    // folder of segmenter.safetensors; empty: compiled in
     std::filesystem::path references; // folder of more reference skeletons; empty: none
     std::filesystem::path mapping; // rig_folder: pairs as in mapping.json instead of matching; empty: match
-    std::filesystem::path
-        motion;            // a BVH file that humanoids follow, as one more clip of its name; empty: none
-    bool blend = false;    // clips of the two best types are mixed
-    std::vector<int> only; // numbers of the page's characters that are animated, from 1; empty: all
-    int rotate = 0;        // degrees by which a page is first turned clockwise: 0, 90, 180, 270
-    int threads = 1;       // results do not depend on it
+    std::filesystem::path motion;  // a BVH file that characters of its kind of body follow, as one more clip
+                                   // of its name; empty: none
+    std::filesystem::path motion_map; // JSON: which of its joints plays which part; empty: found
+    bool blend = false;               // clips of the two best types are mixed
+    std::vector<int> only;          // numbers of the page's characters that are animated, from 1; empty: all
+    int rotate = 0;                 // degrees by which a page is first turned clockwise: 0, 90, 180, 270
+    int threads = 1;                // results do not depend on it
     bool animated_drawings = false; // humanoids are also written as AnimatedDrawings character folders
     bool trace = false;             // intermediate products are written, too
     RenderRequest render;

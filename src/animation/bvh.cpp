@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Biovision hierarchy files, read and written.
+// Biovision hierarchy files to joints, channels and frames. Programs write them in many ways: what is
+// understood beyond the format's letter is used and told in a line (Motion::repairs).
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "animation/vector.hpp"
-#include "core/decimal.hpp"
 #include "core/math.hpp"
 #include "core/plural.hpp"
 #include "pantin/error.hpp"
@@ -15,51 +17,73 @@
 namespace pantin {
 namespace {
 
-constexpr std::size_t most_joints = 2000, most_frames = 1'000'000;
-constexpr double written_height = 100; // of the character in a file
+constexpr std::size_t most_joints = 2000, most_frames = 1'000'000, most_values = 100'000'000;
+constexpr double usual_frame_time = 1.0 / 30;
 
 struct ChannelName {
     std::string_view name;
     Channel channel;
 };
-constexpr std::array<ChannelName, 6> channel_names = {{{"Xposition", Channel::x_position},
+constexpr std::array<ChannelName, 9> channel_names = {{{"Xposition", Channel::x_position},
                                                        {"Yposition", Channel::y_position},
                                                        {"Zposition", Channel::z_position},
                                                        {"Xrotation", Channel::x_rotation},
                                                        {"Yrotation", Channel::y_rotation},
-                                                       {"Zrotation", Channel::z_rotation}}};
+                                                       {"Zrotation", Channel::z_rotation},
+                                                       {"Xscale", Channel::scale},
+                                                       {"Yscale", Channel::scale},
+                                                       {"Zscale", Channel::scale}}};
 
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 bool same_letters(std::string_view a, std::string_view b) {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [&](char x, char y) { return lower(x) == lower(y); });
+                      [](char x, char y) { return lower(x) == lower(y); });
+}
+
+// Values that are no numbers, as C libraries write them: nan, -nan(ind), 1.#QNAN, inf, -1.#IND.
+bool is_not_a_number(std::string_view word) {
+    std::string text;
+    for (const char c : word) text += lower(c);
+    const std::string_view unsigned_text =
+        std::string_view(text).substr(text.starts_with('-') || text.starts_with('+') ? 1 : 0);
+    return unsigned_text.starts_with("nan") || unsigned_text == "inf" || unsigned_text == "infinity" ||
+           unsigned_text.starts_with("1.#");
+}
+
+// The number that a word is; a decimal comma, as some systems write it, stands for the point.
+std::optional<double> number_of(std::string_view word) {
+    std::string text(word.substr(word.starts_with('+') ? 1 : 0));
+    if (std::count(text.begin(), text.end(), ',') == 1 && text.find('.') == std::string::npos)
+        std::replace(text.begin(), text.end(), ',', '.');
+    double value = 0;
+    const char *first = text.data(), *last = first + text.size();
+    const auto [end, error] = std::from_chars(first, last, value);
+    if (text.empty() || error != std::errc() || end != last || !std::isfinite(value) || std::abs(value) > 1e9)
+        return std::nullopt;
+    return value;
 }
 
 class Parser {
 public:
-    Parser(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+    Parser(std::string_view text, const std::string& file) : text_(text), file_(file) {
+        if (text_.starts_with("\xEF\xBB\xBF")) begin_ = 3;
+        if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF"))
+            fail("the text is UTF-16; save it as UTF-8");
+    }
 
     Motion parse() {
         expect("HIERARCHY");
         expect("ROOT");
-        joint(-1, next("the name of the root"));
+        tree(name_up_to_brace("the name of the root"));
+        while (same_letters(peek(), "ROOT")) {
+            next("");
+            tree(name_up_to_brace("the name of a root"));
+        }
         expect("MOTION");
-        expect("Frames:");
-        const double frames = number("the number of frames");
-        if (!(frames >= 1) || frames > most_frames || frames != std::floor(frames))
-            fail("there must be 1 to " + std::to_string(most_frames) + " frames");
-        expect("Frame");
-        expect("Time:");
-        motion_.frame_time = number("the time of a frame");
-        if (!(motion_.frame_time > 1e-4 && motion_.frame_time <= 10))
-            fail("a frame must take 0.0001 to 10 seconds");
-        if (motion_.channels == 0) fail("no joint has a channel");
-        const auto count = static_cast<std::size_t>(frames) * motion_.channels;
-        if (count > text_.size()) fail("the file is too short for its frames");
-        motion_.values.reserve(count);
-        while (motion_.values.size() < count) motion_.values.push_back(number("a value of the motion"));
-        if (!peek().empty())
-            fail("more values than those of " + count_of(static_cast<long>(motion_.frames()), "frame"));
+        read_head();
+        read_values();
+        tell_of_frames();
+        mend_values();
         return std::move(motion_);
     }
 
@@ -70,7 +94,11 @@ private:
         throw Error(ErrorKind::input, file_ + ": line " + std::to_string(line) + ": " + fact);
     }
 
-    // The next word, without taking it; "" at the end.
+    // --- words
+    // -----------------------------------------------------------------------------------------------
+
+    // The next word, without taking it; "" at the end. All control characters are space, so is the Ctrl-Z
+    // that ends some files.
     std::string_view peek() {
         while (begin_ < text_.size() && static_cast<unsigned char>(text_[begin_]) <= ' ') ++begin_;
         std::size_t end = begin_;
@@ -89,42 +117,58 @@ private:
             fail("'" + std::string(wanted) + "' is expected, not '" + std::string(word.substr(0, 40)) + "'");
         begin_ += word.size();
     }
+    // "Frames:", also without the colon, after a space, or with the number right behind it.
+    void expect_label(std::string_view wanted) {
+        const std::string_view word = peek();
+        if (!same_letters(word.substr(0, wanted.size()), wanted))
+            fail("'" + std::string(wanted) + ":' is expected, not '" + std::string(word.substr(0, 40)) + "'");
+        begin_ += wanted.size();
+        if (peek().starts_with(':')) ++begin_;
+    }
     double number(const std::string& what) {
         const std::string_view word = peek();
-        double value = 0;
-        const char *first = word.data(), *last = first + word.size();
-        if (!word.empty() && *first == '+') ++first;
-        const auto result = std::from_chars(first, last, value);
-        if (word.empty() || result.ec != std::errc() || result.ptr != last || !std::isfinite(value) ||
-            std::abs(value) > 1e9)
-            fail(what + " is expected, not '" + std::string(word.substr(0, 40)) + "'");
+        const std::optional<double> value = number_of(word);
+        if (!value) fail(what + " is expected, not '" + std::string(word.substr(0, 40)) + "'");
         begin_ += word.size();
-        return value;
+        return *value;
+    }
+    // Names may hold spaces; none is "".
+    std::string name_up_to_brace(const std::string& what) {
+        peek();
+        const std::size_t end = text_.find_first_of("{\n\r", begin_);
+        if (end == std::string_view::npos) fail("the file ends before " + what);
+        std::string name(text_.substr(begin_, end - begin_));
+        begin_ = end;
+        while (!name.empty() && static_cast<unsigned char>(name.back()) <= ' ') name.pop_back();
+        return name;
     }
 
+    // --- joints
+    // ----------------------------------------------------------------------------------------------
+
     // Braces are counted on a stack of our own: a file may nest as deep as it likes.
-    void joint(int parent, const std::string& name) {
-        open(parent, name);
-        std::vector<int> path = {0};
+    void tree(const std::string& name) {
+        std::vector<int> path;
+        open(-1, name, path);
         while (!path.empty()) {
-            const std::string word = next("the closing brace of '" + motion_.joints[path.back()].name + "'");
+            const std::string word = next("the closing brace of '" +
+                                          motion_.joints[static_cast<std::size_t>(path.back())].name + "'");
             if (word == "}") {
                 path.pop_back();
             } else if (same_letters(word, "JOINT")) {
-                open(path.back(), next("the name of a joint"));
-                path.push_back(static_cast<int>(motion_.joints.size()) - 1);
+                open(path.back(), name_up_to_brace("the name of a joint"), path);
             } else if (same_letters(word, "End")) {
                 expect("Site");
-                open(path.back(), "");
-                expect("}");
+                name_up_to_brace("an end site"); // some programs name it
+                open(path.back(), "", path);
             } else {
                 fail("JOINT, End Site or } is expected, not '" + word.substr(0, 40) + "'");
             }
         }
     }
 
-    // From the opening brace to the channels.
-    void open(int parent, const std::string& name) {
+    // From the opening brace to offset and channels, in either order.
+    void open(int parent, const std::string& name, std::vector<int>& path) {
         if (motion_.joints.size() >= most_joints)
             fail("more than " + std::to_string(most_joints) + " joints");
         expect("{");
@@ -132,18 +176,20 @@ private:
         joint.name = name;
         joint.parent = parent;
         joint.first_channel = motion_.channels;
+        if (same_letters(peek(), "CHANNELS")) channels(joint);
         expect("OFFSET");
         joint.offset.x = number("an offset");
         joint.offset.y = number("an offset");
         joint.offset.z = number("an offset");
-        if (same_letters(peek(), "CHANNELS")) channels(joint);
+        if (joint.channels.empty() && same_letters(peek(), "CHANNELS")) channels(joint);
         motion_.channels += joint.channels.size();
+        path.push_back(static_cast<int>(motion_.joints.size()));
         motion_.joints.push_back(std::move(joint));
     }
     void channels(MotionJoint& joint) {
         expect("CHANNELS");
         const double count = number("the number of channels");
-        if (!(count >= 0 && count <= 6) || count != std::floor(count)) fail("a joint has 0 to 6 channels");
+        if (!(count >= 0 && count <= 9) || count != std::floor(count)) fail("a joint has 0 to 9 channels");
         for (int i = 0; i < static_cast<int>(count); ++i) {
             const std::string word = next("a channel");
             const auto found = std::find_if(channel_names.begin(), channel_names.end(),
@@ -153,9 +199,84 @@ private:
         }
     }
 
+    // --- frames
+    // ----------------------------------------------------------------------------------------------
+
+    void read_head() {
+        expect_label("Frames");
+        declared_ = number("the number of frames");
+        if (!(declared_ >= 0) || declared_ > most_frames || declared_ != std::floor(declared_))
+            fail("there must be 1 to " + std::to_string(most_frames) + " frames");
+        expect("Frame");
+        expect_label("Time");
+        motion_.frame_time = number("the time of a frame");
+        if (motion_.frame_time == 0) {
+            motion_.frame_time = usual_frame_time;
+            motion_.repairs.push_back("a frame takes no time; 1/30 s is taken");
+        }
+        if (!(motion_.frame_time > 1e-4 && motion_.frame_time <= 10))
+            fail("a frame must take 0.0001 to 10 seconds");
+        if (motion_.channels == 0) fail("no joint has a channel");
+        for (const MotionJoint& joint : motion_.joints)
+            if (std::count(joint.channels.begin(), joint.channels.end(), Channel::scale) > 0) {
+                motion_.repairs.push_back("scales are not followed");
+                break;
+            }
+    }
+
+    void read_values() {
+        const auto expected = static_cast<std::size_t>(declared_) * motion_.channels;
+        motion_.values.reserve(std::min(expected, text_.size() / 2));
+        while (!peek().empty()) {
+            if (motion_.values.size() >= most_values) fail("too many values");
+            if (is_not_a_number(peek())) {
+                motion_.values.push_back(std::numeric_limits<double>::quiet_NaN());
+                begin_ += peek().size();
+            } else {
+                motion_.values.push_back(number("a value of the motion"));
+            }
+        }
+        const std::size_t rest = motion_.values.size() % motion_.channels;
+        if (motion_.values.empty()) fail("there is no frame");
+        if (rest != 0)
+            fail("the last frame has " + std::to_string(rest) + " of " +
+                 count_of(static_cast<long>(motion_.channels), "value"));
+        if (motion_.frames() > most_frames) fail("more than " + std::to_string(most_frames) + " frames");
+    }
+
+    void tell_of_frames() {
+        if (static_cast<double>(motion_.frames()) == declared_) return;
+        motion_.repairs.push_back(count_of(static_cast<long>(motion_.frames()), "frame") +
+                                  (motion_.frames() == 1 ? " is" : " are") + " there, not " +
+                                  std::to_string(static_cast<long>(declared_)) +
+                                  " as declared; all are used");
+    }
+
+    // What is no number stays as it was in the frame before; in the first frames, as it will be.
+    void mend_values() {
+        long mended = 0;
+        const std::size_t n = motion_.channels;
+        for (std::size_t c = 0; c < n; ++c) {
+            double last = std::numeric_limits<double>::quiet_NaN();
+            for (std::size_t i = c; i < motion_.values.size() && std::isnan(last); i += n)
+                last = motion_.values[i];
+            if (std::isnan(last)) last = 0;
+            for (std::size_t i = c; i < motion_.values.size(); i += n) {
+                if (std::isnan(motion_.values[i])) motion_.values[i] = last, ++mended;
+                last = motion_.values[i];
+            }
+        }
+        if (mended == 0) return;
+        if (static_cast<std::size_t>(mended) == motion_.values.size())
+            fail("no value of the motion is a number");
+        motion_.repairs.push_back(count_of(mended, "value") + (mended == 1 ? " is" : " are") +
+                                  " no number; the frame before stands for " + (mended == 1 ? "it" : "them"));
+    }
+
     std::string_view text_;
     const std::string& file_;
     std::size_t begin_ = 0;
+    double declared_ = 0; // frames
     Motion motion_;
 };
 
@@ -165,75 +286,6 @@ Quaternion turn(Channel axis, double degrees) {
     if (axis == Channel::y_rotation) return {0, s, 0, c};
     return {0, 0, s, c};
 }
-
-double degrees(double radians) { return radians * (180 / math::pi); }
-
-// Angles of R = Rz · Rx · Ry.
-Vec3 zxy_angles(const Matrix3& m) {
-    const double sine = std::clamp(m.rows[2].y, -1.0, 1.0),
-                 cosine = std::sqrt(std::max(0.0, 1 - sine * sine));
-    const double x = math::atan2(sine, cosine);
-    if (cosine < 1e-9) return {degrees(x), 0, degrees(math::atan2(m.rows[1].x, m.rows[0].x))};
-    return {degrees(x), degrees(math::atan2(-m.rows[2].x, m.rows[2].z)),
-            degrees(math::atan2(-m.rows[0].y, m.rows[1].y))};
-}
-
-class Writer {
-public:
-    Writer(const Rig& rig, const BoneAnimation& animation)
-        : rig_(rig), animation_(animation), children_(rig.bones.size()) {
-        for (std::size_t b = 1; b < rig.bones.size(); ++b)
-            children_[static_cast<std::size_t>(rig.bones[b].parent)].push_back(static_cast<int>(b));
-    }
-    std::string write() {
-        text_ = "HIERARCHY\n";
-        bone(0, 0);
-        const std::size_t frames =
-            std::max<std::size_t>(1, animation_.times.size() - 1); // the last pose is the first
-        const double time = animation_.duration / static_cast<double>(frames);
-        text_ += "MOTION\nFrames: " + std::to_string(frames) + "\nFrame Time: " + to_decimal(time) + "\n";
-        for (std::size_t i = 0; i < frames; ++i) frame(i);
-        return std::move(text_);
-    }
-
-private:
-    Vec3 place(Point2d p) const { return written_height * to_world(p, rig_.width, rig_.height); }
-    std::string triple(Vec3 v) const {
-        return to_decimal(v.x) + " " + to_decimal(v.y) + " " + to_decimal(v.z);
-    }
-
-    void bone(int index, int depth) {
-        const Bone& b = rig_.bones[static_cast<std::size_t>(index)];
-        const std::string tabs(static_cast<std::size_t>(depth), '\t');
-        const Vec3 head = place(b.head),
-                   from = b.parent < 0 ? Vec3{} : place(rig_.bones[static_cast<std::size_t>(b.parent)].head);
-        text_ += tabs + (depth == 0 ? "ROOT " : "JOINT ") + b.name + "\n" + tabs + "{\n";
-        text_ += tabs + "\tOFFSET " + triple(head - from) + "\n" + tabs + "\tCHANNELS ";
-        text_ += depth == 0 ? "6 Xposition Yposition Zposition " : "3 ";
-        text_ += "Zrotation Xrotation Yrotation\n";
-        order_.push_back(index);
-        const auto& children = children_[static_cast<std::size_t>(index)];
-        for (const int child : children) bone(child, depth + 1);
-        if (children.empty())
-            text_ += tabs + "\tEnd Site\n" + tabs + "\t{\n" + tabs + "\t\tOFFSET " +
-                     triple(place(b.tail) - head) + "\n" + tabs + "\t}\n";
-        text_ += tabs + "}\n";
-    }
-    void frame(std::size_t i) {
-        text_ += triple(place(rig_.bones[0].head) + written_height * animation_.root_translation[i]);
-        for (const int b : order_) {
-            const Vec3 angles = zxy_angles(matrix_of(animation_.rotations[static_cast<std::size_t>(b)][i]));
-            text_ += " " + triple({angles.z, angles.x, angles.y});
-        }
-        text_ += "\n";
-    }
-
-    const Rig& rig_;
-    const BoneAnimation& animation_;
-    std::vector<std::vector<int>> children_;
-    std::vector<int> order_; // of the joints in the file
-    std::string text_;
-};
 
 } // namespace
 
@@ -258,6 +310,8 @@ std::vector<Vec3> joint_positions(const Motion& motion, std::size_t frame) {
             case Channel::z_position:
                 offset.z = value;
                 break;
+            case Channel::scale:
+                break;
             default:
                 local = local * turn(joint.channels[c], value);
             }
@@ -274,6 +328,12 @@ std::vector<Vec3> joint_positions(const Motion& motion, std::size_t frame) {
     return places;
 }
 
-std::string to_bvh(const Rig& rig, const BoneAnimation& animation) { return Writer(rig, animation).write(); }
+std::vector<Vec3> rest_positions(const Motion& motion) {
+    std::vector<Vec3> places;
+    for (const MotionJoint& joint : motion.joints)
+        places.push_back(joint.parent < 0 ? joint.offset
+                                          : places[static_cast<std::size_t>(joint.parent)] + joint.offset);
+    return places;
+}
 
 } // namespace pantin

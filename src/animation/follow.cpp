@@ -7,8 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
+#include "animation/follow.hpp"
+#include "animation/limb_angles.hpp"
 #include "animation/vector.hpp"
 #include "core/math.hpp"
 #include "pantin/motion.hpp"
@@ -16,181 +17,31 @@
 namespace pantin {
 namespace {
 
-constexpr double rate = 30;            // key poses per second
-constexpr double facing_seconds = 0.5; // window over which the figure's facing is averaged
-constexpr double still = 1e-3;         // variance of a limb's way, of its squared length
-constexpr double least_projection =
-    0.2; // of a limb's length: shorter ones have no direction, the last one stays
-
-double norm(Vec3 v) { return std::sqrt(dot(v, v)); }
-Vec3 unit(Vec3 v, Vec3 otherwise) { return norm(v) > 1e-12 ? (1 / norm(v)) * v : otherwise; }
-
-// The joints' places, in the recorded figure's own directions: x to its left (the right of the picture), y
-// up, z forwards. The hips are the origin; `travelled` is their way from the start along x and z, and their
-// height above the ground.
-struct Pose {
-    std::vector<Vec3> joints;
-    Vec3 travelled;
-};
-
-using Frame = std::vector<Vec3>;
-
-std::vector<Frame> resampled(const Motion& motion, double start, double seconds) {
-    const double length = motion.frame_time * static_cast<double>(motion.frames() - 1);
-    const double first = std::clamp(start, 0.0, length), last = std::min(length, first + seconds);
-    const int count = std::max(1, static_cast<int>(std::floor((last - first) * rate + 0.01)));
-    std::vector<Frame> frames;
-    for (int i = 0; i <= count; ++i) {
-        const double at = std::min(first + i / rate, last) / motion.frame_time;
-        const auto before = std::min(static_cast<std::size_t>(at), motion.frames() - 1);
-        const std::size_t after = std::min(before + 1, motion.frames() - 1);
-        const double share = at - static_cast<double>(before);
-        Frame a = joint_positions(motion, before);
-        const Frame b = joint_positions(motion, after);
-        for (std::size_t j = 0; j < a.size(); ++j) a[j] = a[j] + share * (b[j] - a[j]);
-        frames.push_back(std::move(a));
-    }
-    return frames;
-}
-
-class Recording {
-public:
-    Recording(const Motion& motion, const MotionJoints& joints, double start, double seconds)
-        : joints_(joints), frames_(resampled(motion, start, seconds)) {
-        find_up();
-        find_facing();
-        find_legs();
-        for (std::size_t i = 0; i < frames_.size(); ++i) poses_.push_back(pose(i));
-    }
-
-    const std::vector<Pose>& poses() const { return poses_; }
-    double leg_length() const { return leg_length_; }
-    double standing_height() const { return standing_height_; }
-    int neck() const { return joints_.neck >= 0 ? joints_.neck : joints_.head; }
-
-private:
-    Vec3 at(std::size_t frame, int joint) const { return frames_[frame][static_cast<std::size_t>(joint)]; }
-    Vec3 shoulders(std::size_t frame) const {
-        return 0.5 * (at(frame, joints_.left.upper_arm) + at(frame, joints_.right.upper_arm));
-    }
-
-    // Files are y up or z up: the axis along which shoulders are above feet.
-    void find_up() {
-        Vec3 sum;
-        for (std::size_t i = 0; i < frames_.size(); ++i)
-            sum = sum + shoulders(i) - 0.5 * (at(i, joints_.left.foot) + at(i, joints_.right.foot));
-        up_ = std::abs(sum.z) > std::abs(sum.y) ? Vec3{0, 0, sum.z > 0 ? 1.0 : -1.0}
-                                                : Vec3{0, sum.y > 0 ? 1.0 : -1.0, 0};
-    }
-
-    // Where the figure's left is, on the ground.
-    void find_facing() {
-        std::vector<Vec3> sides;
-        for (std::size_t i = 0; i < frames_.size(); ++i) {
-            const Vec3 side = at(i, joints_.left.upper_arm) - at(i, joints_.right.upper_arm) +
-                              at(i, joints_.left.thigh) - at(i, joints_.right.thigh);
-            sides.push_back(side - dot(side, up_) * up_);
-        }
-        const auto reach = static_cast<std::ptrdiff_t>(facing_seconds * rate / 2);
-        const auto count = static_cast<std::ptrdiff_t>(sides.size());
-        for (std::ptrdiff_t i = 0; i < count; ++i) {
-            const Vec3 sum = std::accumulate(sides.begin() + std::max<std::ptrdiff_t>(0, i - reach),
-                                             sides.begin() + std::min(count, i + reach + 1), Vec3{},
-                                             [](Vec3 a, Vec3 b) { return a + b; });
-            lefts_.push_back(unit(sum, lefts_.empty() ? Vec3{1, 0, 0} : lefts_.back()));
-        }
-    }
-
-    void find_legs() {
-        const auto length = [&](const MotionJoints::Side& s) {
-            return norm(at(0, s.shin) - at(0, s.thigh)) + norm(at(0, s.foot) - at(0, s.shin));
-        };
-        leg_length_ = std::max(1e-9, 0.5 * (length(joints_.left) + length(joints_.right)));
-        ground_ = dot(at(0, joints_.left.foot), up_);
-        for (std::size_t i = 0; i < frames_.size(); ++i)
-            for (const int foot : {joints_.left.foot, joints_.right.foot})
-                ground_ = std::min(ground_, dot(at(i, foot), up_));
-        const double below =
-            dot(at(0, joints_.hips) - 0.5 * (at(0, joints_.left.thigh) + at(0, joints_.right.thigh)), up_);
-        standing_height_ = leg_length_ + below;
-    }
-
-    Pose pose(std::size_t frame) const {
-        const Vec3 left = lefts_[frame], forward = cross(left, up_), hips = at(frame, joints_.hips);
-        Pose p;
-        for (const Vec3& place : frames_[frame]) {
-            const Vec3 v = place - hips;
-            p.joints.push_back({dot(v, left), dot(v, up_), dot(v, forward)});
-        }
-        if (frame > 0) {
-            const Vec3 step = hips - at(frame - 1, joints_.hips);
-            p.travelled = poses_[frame - 1].travelled + Vec3{dot(step, left), 0, dot(step, forward)};
-        }
-        p.travelled.y = dot(hips, up_) - ground_;
-        return p;
-    }
-
-    const MotionJoints& joints_;
-    std::vector<Frame> frames_;
-    Vec3 up_{0, 1, 0};
-    std::vector<Vec3> lefts_;
-    double leg_length_ = 1, standing_height_ = 1, ground_ = 0;
-    std::vector<Pose> poses_;
-};
-
-// Seen from the side, forwards is to the right of the picture.
-Point2d seen(Vec3 v, bool from_the_side) { return {from_the_side ? v.z : v.x, v.y}; }
-
-// True when the way from `a` to `b` varies more forwards than sideways; a limb that is still is seen from the
-// front.
-bool moves_forwards(const std::vector<Pose>& poses, int a, int b) {
-    Vec3 mean, squares;
-    double squared_length = 0;
-    const double n = static_cast<double>(poses.size());
-    for (const Pose& p : poses) {
-        const Vec3 v = p.joints[static_cast<std::size_t>(b)] - p.joints[static_cast<std::size_t>(a)];
-        mean = mean + (1 / n) * v;
-        squares = squares + (1 / n) * Vec3{v.x * v.x, 0, v.z * v.z};
-        squared_length += dot(v, v) / n;
-    }
-    return squares.z - mean.z * mean.z > squares.x - mean.x * mean.x + still * squared_length;
-}
-
-// Angles of the way from `a` to `b` in the picture, counter-clockwise from the right, one a pose.
-std::vector<double> angles_of(const std::vector<Pose>& poses, int a, int b, bool from_the_side) {
-    std::vector<double> angles;
-    for (const Pose& p : poses) {
-        const Vec3 v = p.joints[static_cast<std::size_t>(b)] - p.joints[static_cast<std::size_t>(a)];
-        const Point2d d = seen(v, from_the_side);
-        const bool clear = length(d) > least_projection * norm(v) && norm(v) > 1e-12;
-        const double last = angles.empty() ? -math::pi / 2 : angles.back();
-        angles.push_back(clear ? math::atan2(d.y, d.x) : last);
-    }
-    return angles;
-}
-
-// The turn nearest to `near` that differs from `angle` by whole circles.
-double nearest_turn(double angle, double near) {
-    return angle + 2 * math::pi * std::rint((near - angle) / (2 * math::pi));
-}
+// Before or behind the trunk: nearer to it than the first share of a limb's length counts as beside it, and
+// from the second on as wholly before or behind it. World units of depth.
+constexpr double beside = 0.05, apart = 0.15;
+constexpr double before_trunk = 0.02, before_each_other = 0.02;
+constexpr double long_way = 1.5; // heights of the character
+constexpr double camera_seconds = 1.5;
 
 double rest_angle(const Bone& bone) {
     return math::atan2(bone.head.y - bone.tail.y, bone.tail.x - bone.head.x);
 }
 
-// What every bone does: its turn against the drawing, in the picture's plane, one a pose.
+// What every bone of a humanoid does: its turn against the drawing, in the picture's plane, one a pose.
 class Follower {
 public:
     Follower(const Rig& rig, const ReferenceSkeleton& reference, const Recording& recording,
              const MotionJoints& joints)
-        : rig_(rig), reference_(reference), poses_(recording.poses()), joints_(joints) {
+        : rig_(rig), reference_(reference), poses_(recording.poses()), upright_(poses_), joints_(joints),
+          rest_(recording.rest()) {
         turns_.assign(rig.bones.size(), std::vector<double>(poses_.size()));
-        const int neck = recording.neck();
-        from_the_side_ = neck >= 0 && moves_forwards(poses_, joints.hips, neck);
+        depths_.assign(rig.bones.size(), {});
+        find_trunk();
         for (std::size_t b = 0; b < rig.bones.size(); ++b) {
-            if (b == 0 && neck >= 0)
-                lean(b, joints.hips, neck);
-            else if (b > 0)
+            if (b == 0)
+                turn_to(b, trunk_, math::pi / 2);
+            else
                 drive(b);
         }
     }
@@ -201,8 +52,48 @@ public:
             turns_[bone][pose] - (parent >= 0 ? turns_[static_cast<std::size_t>(parent)][pose] : 0);
         return {0, 0, math::sin(angle / 2), math::cos(angle / 2)};
     }
+    // Of every bone; limbs before the trunk are before it in the picture.
+    std::vector<std::vector<double>> depths() const { return depths_; }
 
 private:
+    // Without neck and head, the shoulders say where the trunk is.
+    Vec3 trunk_of(const std::vector<Vec3>& pose) const {
+        const auto at = [&](int joint) { return pose[static_cast<std::size_t>(joint)]; };
+        const int top = joints_.neck >= 0 ? joints_.neck : joints_.head;
+        const Vec3 end =
+            top >= 0 ? at(top) : 0.5 * (at(joints_.left.upper_arm) + at(joints_.right.upper_arm));
+        return end - at(joints_.hips);
+    }
+
+    // A direction whose lean, forwards or backwards, is that against the recorded figure's own rest: backs
+    // are bent and necks are tilted in many of them.
+    static Vec3 unbent(Vec3 v, Vec3 at_rest) {
+        const double n = std::sqrt(at_rest.y * at_rest.y + at_rest.z * at_rest.z);
+        if (!(at_rest.y > 0.5 * n) || n < 1e-9) return v;
+        const double c = at_rest.y / n, s = at_rest.z / n;
+        return {v.x, v.y * c + v.z * s, -v.y * s + v.z * c};
+    }
+
+    // The trunk's angle in the picture. Where it is seen from the side, limbs are looked at as if the trunk
+    // stood upright, and turned with it: arms that hang from a crawling figure hang from the drawn one.
+    void find_trunk() {
+        Directions trunk;
+        for (const RecordedPose& p : poses_)
+            trunk.push_back(rest_.empty() ? trunk_of(p.joints) : unbent(trunk_of(p.joints), trunk_of(rest_)));
+        const bool side = seen_from_the_side(trunk);
+        trunk_ = angles_in_picture(trunk, poses_, side);
+        if (trunk_.empty()) trunk_.assign(poses_.size(), math::pi / 2);
+        carried_.assign(poses_.size(), 0);
+        if (!side) return;
+        double c = 1, s = 0;
+        for (std::size_t i = 0; i < poses_.size(); ++i) {
+            const double n = std::sqrt(trunk[i].y * trunk[i].y + trunk[i].z * trunk[i].z);
+            if (n > 0.2 * length(trunk[i])) c = trunk[i].y / n, s = trunk[i].z / n;
+            for (Vec3& v : upright_[i].joints) v = {v.x, v.y * c + v.z * s, -v.y * s + v.z * c};
+            carried_[i] = trunk_[i] - math::pi / 2;
+        }
+    }
+
     void drive(std::size_t b) {
         const Bone& bone = rig_.bones[b];
         const std::string name =
@@ -213,14 +104,18 @@ private:
             const std::array<int, 3> chain = arm ? std::array<int, 3>{side.upper_arm, side.forearm, side.hand}
                                                  : std::array<int, 3>{side.thigh, side.shin, side.foot};
             limb(b, chain);
-        } else if (name == "head" && joints_.head >= 0 && joints_.head_end >= 0) {
-            lean(b, joints_.head, joints_.head_end);
+        } else if (name == "head") {
+            head(b);
         } else {
             rest_on_parent(b);
         }
     }
 
-    void rest_on_parent(std::size_t b) { turns_[b] = turns_[static_cast<std::size_t>(rig_.bones[b].parent)]; }
+    void rest_on_parent(std::size_t b) {
+        const auto parent = static_cast<std::size_t>(rig_.bones[b].parent);
+        turns_[b] = turns_[parent];
+        depths_[b] = depths_[parent];
+    }
 
     void limb(std::size_t b, const std::array<int, 3>& chain) {
         const Bone& bone = rig_.bones[b];
@@ -230,13 +125,34 @@ private:
         });
         const auto from = static_cast<std::size_t>(bone.segment);
         const int to = alone && bone.segment == 0 ? chain[2] : chain[from + 1];
-        turn_to(b, angles_of(poses_, chain[from], to, moves_forwards(poses_, chain[0], chain[2])),
-                rest_angle(bone));
+        const Directions own = directions_of(upright_, chain[from], to);
+        const bool side = seen_from_the_side(directions_of(upright_, chain[0], chain[2]));
+        std::vector<double> angles = angles_in_picture(own, upright_, side);
+        if (angles.empty()) angles = angles_in_picture(own, upright_, !side);
+        if (angles.empty()) return rest_on_parent(b);
+        for (std::size_t i = 0; i < angles.size(); ++i) angles[i] += carried_[i];
+        turn_to(b, angles, rest_angle(bone));
+        if (!rig_.solid) depths_[b] = depths_of(chain[0], chain[from], to, chain);
     }
 
-    // Body and head keep the way they are drawn and lean as the recorded figure does against the vertical.
-    void lean(std::size_t b, int from, int to) {
-        turn_to(b, angles_of(poses_, from, to, from_the_side_), math::pi / 2);
+    // A head keeps the way it is drawn and leans as the recorded one; one without a length of its own goes
+    // with the neck, or with the body.
+    void head(std::size_t b) {
+        for (const auto& [from, to] :
+             {std::pair{joints_.head, joints_.head_end}, {joints_.neck, joints_.head}}) {
+            if (from < 0 || to < 0 || from == to) continue;
+            Directions own = directions_of(poses_, from, to);
+            if (!rest_.empty()) {
+                const Vec3 at_rest =
+                    rest_[static_cast<std::size_t>(to)] - rest_[static_cast<std::size_t>(from)];
+                for (Vec3& v : own) v = unbent(v, at_rest);
+            }
+            // With the trunk where that is seen: the two are one figure.
+            std::vector<double> angles = angles_in_picture(own, poses_, seen_from_the_side(own));
+            if (angles.empty()) continue;
+            return turn_to(b, angles, math::pi / 2);
+        }
+        rest_on_parent(b);
     }
 
     void turn_to(std::size_t b, const std::vector<double>& angles, double rest) {
@@ -248,14 +164,36 @@ private:
             last = against_parent;
             turns_[b][i] = parent + bone.freedom * against_parent;
         }
+        if (bone.parent >= 0) depths_[b] = depths_[static_cast<std::size_t>(bone.parent)];
+    }
+
+    // Of the middle of the bone from `a` to `b`, measured from the limb's root along the chest's own
+    // forwards, in lengths of the limb.
+    std::vector<double> depths_of(int root, int a, int b, const std::array<int, 3>& chain) const {
+        std::vector<double> depths;
+        for (const RecordedPose& p : poses_) {
+            const auto at = [&](int joint) { return p.joints[static_cast<std::size_t>(joint)]; };
+            const double size = distance(at(chain[0]), at(chain[1])) + distance(at(chain[1]), at(chain[2]));
+            const Vec3 left = at(joints_.left.upper_arm) - at(joints_.right.upper_arm) +
+                              at(joints_.left.thigh) - at(joints_.right.thigh);
+            const Vec3 forwards = cross(left, trunk_of(p.joints));
+            const double n = length(forwards) * size;
+            const double ahead = n > 1e-12 ? dot(0.5 * (at(a) + at(b)) - at(root), forwards) / n : 0;
+            const double whole = std::clamp((std::abs(ahead) - beside) / (apart - beside), 0.0, 1.0);
+            depths.push_back((ahead > 0 ? whole : -whole) *
+                             (before_trunk + before_each_other * std::abs(ahead)));
+        }
+        return depths;
     }
 
     const Rig& rig_;
     const ReferenceSkeleton& reference_;
-    const std::vector<Pose>& poses_;
+    const std::vector<RecordedPose>& poses_;
+    std::vector<RecordedPose> upright_; // the poses, turned so that a trunk seen from the side stands upright
     const MotionJoints& joints_;
-    bool from_the_side_ = false;
-    std::vector<std::vector<double>> turns_;
+    const std::vector<Vec3>& rest_;
+    std::vector<double> trunk_, carried_; // its angle; what limbs are turned with it; one a pose
+    std::vector<std::vector<double>> turns_, depths_;
 };
 
 // Mean length of the legs in world units; 0 without legs.
@@ -271,31 +209,89 @@ double drawn_leg_length(const Rig& rig, const ReferenceSkeleton& reference) {
     return legs > 0 ? sum / legs : 0;
 }
 
+// The way itself, smoothed: what a figure does on the spot stays to be seen.
+std::vector<double> camera_along(const std::vector<Vec3>& way) {
+    const auto reach = static_cast<std::ptrdiff_t>(camera_seconds * key_rate / 2);
+    const std::ptrdiff_t count = std::ssize(way);
+    std::vector<double> camera;
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        const std::ptrdiff_t span = std::min({reach, i, count - 1 - i});
+        double sum = 0;
+        for (std::ptrdiff_t k = i - span; k <= i + span; ++k) sum += way[static_cast<std::size_t>(k)].x;
+        camera.push_back(sum / static_cast<double>(2 * span + 1));
+    }
+    return camera;
+}
+
+void set_camera(BoneAnimation& animation, Way way) {
+    const auto [least, most] =
+        std::minmax_element(animation.root_translation.begin(), animation.root_translation.end(),
+                            [](const Vec3& a, const Vec3& b) { return a.x < b.x; });
+    if (way == Way::follow || (way == Way::automatic && most->x - least->x > long_way))
+        animation.camera = camera_along(animation.root_translation);
+}
+
+template <class AnyFollower>
+void add_rotations(BoneAnimation& animation, const AnyFollower& follower, std::size_t bones,
+                   std::size_t poses) {
+    animation.rotations.resize(bones);
+    for (std::size_t b = 0; b < bones; ++b)
+        for (std::size_t i = 0; i < poses; ++i) animation.rotations[b].push_back(follower.rotation(b, i));
+}
+
+bool any(const std::vector<std::vector<double>>& depths) {
+    return std::any_of(depths.begin(), depths.end(), [](const std::vector<double>& d) { return !d.empty(); });
+}
+
 } // namespace
 
 bool shown_left(const Bone& bone, const std::string& joint) {
     return joint.ends_with("left") != bone.mirrored;
 }
 
+bool can_follow(const ReferenceSkeleton& reference, BodyPlan plan) {
+    const auto has = [&](const char* name) {
+        return std::any_of(reference.joints.begin(), reference.joints.end(),
+                           [&](const ReferenceJoint& j) { return j.name == name; });
+    };
+    switch (plan) {
+    case BodyPlan::humanoid:
+        return is_humanoid(reference);
+    case BodyPlan::quadruped:
+        return has("leg_front_left") && has("leg_hind_left") && !has("leg_middle_left");
+    case BodyPlan::bird:
+        return has("wing_left") && has("wing_right");
+    }
+    return false;
+}
+
 BoneAnimation follow(const Rig& rig, const ReferenceSkeleton& reference, const Motion& motion,
-                     const MotionJoints& joints, double start, double seconds) {
-    const Recording recording(motion, joints, start, seconds);
-    const std::vector<Pose>& poses = recording.poses();
-    const Follower follower(rig, reference, recording, joints);
-    const double scale = drawn_leg_length(rig, reference) / recording.leg_length();
-    const bool walks_forwards = moves_forwards(poses, joints.left.thigh, joints.left.foot);
+                     const MotionJoints& joints, const FollowOptions& options) {
+    const Recording recording(motion, joints, options);
+    const std::vector<RecordedPose>& poses = recording.poses();
     BoneAnimation animation;
     animation.name = motion.name;
-    animation.rotations.resize(rig.bones.size());
+    double forwards = 1; // 1: the character looks to the right of the picture, where the way leads
+    if (joints.plan == BodyPlan::humanoid) {
+        const Follower follower(rig, reference, recording, joints);
+        add_rotations(animation, follower, rig.bones.size(), poses.size());
+        animation.depths = follower.depths();
+        for (std::vector<double>& d : animation.depths)
+            if (d.empty()) d.assign(poses.size(), 0);
+        if (!any(follower.depths())) animation.depths.clear();
+    } else {
+        const AnimalFollower follower(rig, reference, recording, joints);
+        add_rotations(animation, follower, rig.bones.size(), poses.size());
+        forwards = follower.forwards();
+    }
+    const double scale = drawn_leg_length(rig, reference) / recording.leg_length();
     for (std::size_t i = 0; i < poses.size(); ++i) {
-        animation.times.push_back(static_cast<double>(i) / rate);
-        for (std::size_t b = 0; b < rig.bones.size(); ++b)
-            animation.rotations[b].push_back(follower.rotation(b, i));
-        const Vec3 way = poses[i].travelled;
+        animation.times.push_back(static_cast<double>(i) / key_rate);
         animation.root_translation.push_back(
-            {scale * (walks_forwards ? way.z : way.x), scale * (way.y - recording.standing_height()), 0});
+            {forwards * scale * poses[i].way, scale * (poses[i].height - recording.standing_height()), 0});
     }
     animation.duration = animation.times.back();
+    set_camera(animation, options.way);
     return animation;
 }
 

@@ -60,6 +60,11 @@ std::vector<Placement> place_bones(const Rig& rig, const BoneAnimation& animatio
         }
         p.rotation = matrix_of(p.turn);
     }
+    if (!animation.depths.empty())
+        for (std::size_t b = 0; b < rig.bones.size(); ++b) {
+            const std::vector<double>& depths = animation.depths[b];
+            placed[b].position.z += depths[key.index] + key.share * (depths[next] - depths[key.index]);
+        }
     return placed;
 }
 
@@ -81,6 +86,13 @@ std::vector<Vec3> skin(const Rig& rig, const BoneAnimation& animation, double ti
         }
     }
     return vertices;
+}
+
+BoneAnimation as_filmed(BoneAnimation animation) {
+    for (std::size_t i = 0; i < animation.camera.size(); ++i)
+        animation.root_translation[i].x -= animation.camera[i];
+    animation.camera.clear();
+    return animation;
 }
 
 View view_of(const Rig& rig, const std::vector<BoneAnimation>& animations) {

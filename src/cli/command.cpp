@@ -109,8 +109,16 @@ void add_only_option(Command command, CommonOptions& options) {
 
 void add_motion_options(Command command, CommonOptions& options) {
     command.flag("--blend", options.blend, "between two types: the clips of both, mixed by their confidence");
-    command.option("--motion", options.motion,
-                   "BVH file: humanoids follow it as one more clip, of the file's name");
+    command.option(
+        "--motion", options.motion,
+        "BVH file: people follow it as one more clip, of the file's name; quadrupeds and birds that "
+        "of an animal of their kind");
+    command.option(
+        "--motion-map", options.motion_map,
+        "JSON file that names the joints of --motion by hand: {\"left upper arm\": \"Bone7\", ...}");
+    command.flag("--in-place", options.in_place, "the motion is followed in one place");
+    command.flag("--follow", options.follow,
+                 "the film goes along with the motion's way (what it does by itself with a long one)");
 }
 
 void add_animated_drawings_option(Command command, CommonOptions& options) {
@@ -159,6 +167,12 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
     settings.weights = options.weights;
     settings.references = options.references;
     settings.motion = options.motion;
+    settings.motion_map = options.motion_map;
+    if (options.in_place && options.follow) throw Error(ErrorKind::usage, "--in-place excludes --follow");
+    if (options.motion.empty() && !options.motion_map.empty())
+        throw Error(ErrorKind::usage, "--motion-map goes with --motion");
+    if (options.in_place) settings.options.animation.motion_way = Way::in_place;
+    if (options.follow) settings.options.animation.motion_way = Way::follow;
     settings.blend = options.blend;
     settings.rotate = options.rotate;
     settings.only = options.only;

@@ -13,12 +13,13 @@ namespace pantin::cli {
 
 struct CommonOptions {
     std::string preset = "default";
-    std::string config, detector, weights, references, motion;
+    std::string config, detector, weights, references, motion, motion_map;
     std::string config_text; // a configuration at hand instead of in a file (of `batch`)
     int threads = 0;         // 0: all cores
     int rotate = 0;
     std::vector<int> only;
     bool trace = false, quiet = false, animated_drawings = false, blend = false;
+    bool in_place = false, follow = false; // a recorded motion's way
 };
 struct RenderFlags {
     std::string clip = "all", background = "transparent", quality = "lossless";

@@ -152,6 +152,25 @@ std::vector<float> rotation_keys(const std::vector<Joint>& joints, std::size_t j
     return keys;
 }
 
+// The node's place when its bone is moved towards the viewer; empty where that is never so. Bones that have
+// depths turn in the picture's plane only, so the viewer is in the same direction for all of them.
+std::vector<float> depth_keys(const std::vector<Joint>& joints, std::size_t joint,
+                              const BoneAnimation& animation) {
+    if (animation.depths.empty()) return {};
+    const std::vector<double>& own = animation.depths[joint - 1];
+    const int parent = joints[joint].parent; // 0: the root on the ground
+    const std::vector<double> none(own.size(), 0.0);
+    const std::vector<double>& carried =
+        parent > 0 ? animation.depths[static_cast<std::size_t>(parent) - 1] : none;
+    if (own == carried) return {};
+    std::vector<float> keys;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        const Vec3 t = joints[joint].translation + Vec3{0, 0, own[i] - carried[i]};
+        append(keys, {t.x, t.y, t.z});
+    }
+    return keys;
+}
+
 Json make_animation(const BoneAnimation& animation, const std::vector<Joint>& joints, GlbBuffer& buffer) {
     Json samplers = Json::array(), channels = Json::array();
     std::vector<float> times;
@@ -164,9 +183,12 @@ Json make_animation(const BoneAnimation& animation, const std::vector<Joint>& jo
     std::vector<float> translation;
     for (const Vec3& t : animation.root_translation) append(translation, {t.x, t.y, t.z});
     if (!translation.empty()) add(0, "translation", buffer.add_floats(translation, "VEC3", 0));
-    for (std::size_t b = 0; b < animation.rotations.size(); ++b)
+    for (std::size_t b = 0; b < animation.rotations.size(); ++b) {
         add(b + 1, "rotation",
             buffer.add_floats(rotation_keys(joints, b + 1, animation.rotations[b]), "VEC4", 0));
+        if (const std::vector<float> keys = depth_keys(joints, b + 1, animation); !keys.empty())
+            add(b + 1, "translation", buffer.add_floats(keys, "VEC3", 0));
+    }
     return {{"name", animation.name}, {"samplers", samplers}, {"channels", channels}};
 }
 

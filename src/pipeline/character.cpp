@@ -87,9 +87,9 @@ std::vector<BoneAnimation> make_animations(const Rig& rig, const ReferenceSkelet
     for (const ReferenceClip& clip : reference.clips)
         animations.push_back(retarget(rig, reference, clip, options.samples));
     const NamedMotion* motion = context.motion();
-    if (!motion || !is_humanoid(reference)) return animations;
-    BoneAnimation followed =
-        follow(rig, reference, motion->motion, motion->joints, options.motion_start, options.motion_seconds);
+    if (!motion || !can_follow(reference, motion->joints.plan)) return animations;
+    BoneAnimation followed = follow(rig, reference, motion->motion, motion->joints,
+                                    {options.motion_start, options.motion_seconds, options.motion_way});
     const auto same = std::find_if(animations.begin(), animations.end(),
                                    [&](const BoneAnimation& a) { return a.name == followed.name; });
     if (same != animations.end())

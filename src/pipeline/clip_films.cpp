@@ -36,8 +36,9 @@ std::vector<ClipFilm> clip_films(const Character& c, Context& context) {
         known.push_back(animation.name);
         if (wanted != "all" && animation.name != wanted) continue;
         const bool first = &animation == &c.animations.front();
+        const BoneAnimation filmed = as_filmed(animation);
         films.push_back(
-            {animation, view_for(c.rig, animation, c.animations, motion),
+            {animation, filmed, view_for(c.rig, filmed, c.animations, motion),
              first ? file_names::animation : std::string(file_names::animation) + "-" + animation.name,
              first});
         if (wanted != "all") break;

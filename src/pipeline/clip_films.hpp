@@ -11,9 +11,10 @@ namespace pantin {
 
 struct ClipFilm {
     BoneAnimation animation;
-    View view;
-    std::string stem;   // of its files: "animation", or "animation-CLIP" for all but the first
-    bool first = false; // of all that the character can play
+    BoneAnimation filmed; // as the camera shows it
+    View view;            // of the latter
+    std::string stem;     // of its files: "animation", or "animation-CLIP" for all but the first
+    bool first = false;   // of all that the character can play
 };
 
 // The clips that the settings ask for. The view holds every clip of the reference, so that all films of a

@@ -44,7 +44,10 @@ const NamedMotion* Context::motion() {
     if (!motion_) {
         Motion motion = parse_bvh(read_text(file), file.string());
         motion.name = file.stem().string();
-        const MotionJoints joints = match_joints(motion, file.string());
+        for (const std::string& repair : motion.repairs) notice(file.string() + ": " + repair);
+        const std::filesystem::path& map = settings_.motion_map;
+        const MotionJoints joints = match_joints(
+            motion, file.string(), map.empty() ? JointMap() : parse_motion_map(read_text(map), map.string()));
         for (const auto& [part, joint] : match_table(motion, joints))
             notice(motion.name + ": " + part + ": " + joint);
         motion_ = {std::move(motion), joints};

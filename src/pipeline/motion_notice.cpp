@@ -15,16 +15,29 @@ std::string seconds_text(double seconds) {
     return text;
 }
 
+// Those who can follow a motion, and the reference that makes a character one of them.
+std::pair<std::string, std::string> kind_of(BodyPlan plan) {
+    switch (plan) {
+    case BodyPlan::quadruped:
+        return {"quadrupeds", "quadruped"};
+    case BodyPlan::bird:
+        return {"flying animals", "flying"};
+    case BodyPlan::humanoid:
+        break;
+    }
+    return {"humanoids", "humanoid"};
+}
+
 } // namespace
 
 void notice_motion(const std::filesystem::path& folder, const Character& character, Context& context) {
     const NamedMotion* recorded = context.motion();
     if (!recorded) return;
     const std::string file = context.settings().motion.string();
-    if (!is_humanoid(character.reference)) {
-        context.notice(folder.string() + ": does not follow " + file +
-                       ", which is for humanoids; it moves like: " + character.reference.name +
-                       " (--reference humanoid)");
+    if (!can_follow(character.reference, recorded->joints.plan)) {
+        const auto [kind, reference] = kind_of(recorded->joints.plan);
+        context.notice(folder.string() + ": does not follow " + file + ", which is for " + kind +
+                       "; it moves like: " + character.reference.name + " (--reference " + reference + ")");
         return;
     }
     const AnimationOptions& options = context.options().animation;

@@ -156,6 +156,7 @@ template <class Visitor> void visit_options(Options& o, Visitor visit) {
     visit("animation.samples", o.animation.samples, 2, 1000);
     visit("animation.motion_start", o.animation.motion_start, 0.0, 1e6);
     visit("animation.motion_seconds", o.animation.motion_seconds, 0.01, 600.0);
+    visit("animation.motion_way", o.animation.motion_way, {"automatic", "whole", "follow", "in_place"});
 }
 
 using Choices = std::initializer_list<const char*>;

@@ -93,7 +93,7 @@ void run_steps(Character& c, const fs::path& folder, Step first, Step last, Cont
         for (const ClipFilm& clip : clip_films(c, context)) {
             write_motions(c.rig, clip.animation, folder, clip.stem, settings.render, clip.first);
             if (!wants_pictures(settings.render)) continue;
-            const Film film = render_film(c.rig, clip.animation, c.texture, clip.view, settings);
+            const Film film = render_film(c.rig, clip.filmed, c.texture, clip.view, settings);
             write_film(film, folder, clip.stem, folder / file_names::frames / clip.animation.name,
                        settings.render, clip.first);
         }

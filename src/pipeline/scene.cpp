@@ -17,12 +17,13 @@ namespace pantin {
 namespace {
 
 constexpr double wanted_seconds = 4; // of the loop
+constexpr double on_the_spot = 0.3;  // heights of a figure
 constexpr int rim = 2;               // pixels around a character that still hold some of its ink
 
 struct Figure {
     const Rig& rig;
     const RgbaImage& texture;
-    const BoneAnimation& animation;
+    BoneAnimation animation;
     Box box;       // of the page
     int loops = 1; // of the animation in one loop of the scene
 };
@@ -40,13 +41,29 @@ const BoneAnimation& animation_for(const std::vector<BoneAnimation>& all, const 
     return all.front();
 }
 
+// A motion that goes a way, and would take the figure off the page, is played where the figure is drawn.
+BoneAnimation staying_on(const Page& page, const Box& box, const Character& c, BoneAnimation animation) {
+    animation = as_filmed(std::move(animation));
+    const auto [least, most] =
+        std::minmax_element(animation.root_translation.begin(), animation.root_translation.end(),
+                            [](Vec3 a, Vec3 b) { return a.x < b.x; });
+    if (most->x - least->x < on_the_spot) return animation;
+    const View reach = view_of(c.rig, {animation});
+    const double middle = box.x + 0.5 * box.width;
+    if (middle + box.height * reach.left < 0 || middle + box.height * (reach.left + reach.width) > page.width)
+        for (Vec3& t : animation.root_translation) t.x = 0;
+    return animation;
+}
+
 std::vector<Figure> moving_figures(const Page& page, const std::vector<Character>& characters,
                                    const std::string& clip) {
     std::vector<Figure> figures;
     for (std::size_t i = 0; i < characters.size(); ++i) {
         const Character& c = characters[i];
         if (page.characters[i].status != "ok" || c.reference.clips.empty()) continue;
-        figures.push_back({c.rig, c.texture, animation_for(c.animations, clip), page.characters[i].box});
+        const Box& box = page.characters[i].box;
+        figures.push_back(
+            {c.rig, c.texture, staying_on(page, box, c, animation_for(c.animations, clip)), box});
     }
     return figures;
 }

@@ -19,7 +19,7 @@ std::vector<Warning> check_result(const Character& c, Context& context) {
                          !context.options().identification.reference.empty()};
     const std::vector<ClipFilm> films =
         c.animations.empty() ? std::vector<ClipFilm>() : clip_films(c, context);
-    for (const ClipFilm& film : films) result.clips.push_back({film.animation, film.view});
+    for (const ClipFilm& film : films) result.clips.push_back({film.filmed, film.view});
     return find_warnings(result);
 }
 

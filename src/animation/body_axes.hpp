@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// How a recorded figure stands in its file: the vertical, and whether it is a biped or on four legs.
+#pragma once
+
+#include "pantin/motion.hpp"
+
+namespace pantin {
+
+// Mean directions of a pose, not of unit length: of legs and arms from their roots to their ends, and from
+// the middle of the hips to that of the shoulders.
+struct LimbDirections {
+    Vec3 legs, arms, trunk;
+};
+LimbDirections limb_directions(const std::vector<Vec3>& pose, const MotionJoints& joints);
+
+struct BodyAxes {
+    Vec3 up{0, 1, 0};            // along an axis of the file
+    bool stands_at_rest = false; // the hierarchy's own pose is one in which such a body stands
+    bool on_four_legs = false;
+};
+// From the hierarchy's own pose, where it is that of a standing body (legs down, the trunk above them or
+// across them): what the performer does, be it lying or standing on the hands, says nothing about where up
+// is. From all frames otherwise. No error. Own.
+BodyAxes body_axes(const Motion& motion, const MotionJoints& joints);
+
+} // namespace pantin
