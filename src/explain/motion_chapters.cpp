@@ -29,7 +29,9 @@ std::string film_uri(const Rig& rig, const RgbaImage& texture, const std::vector
     settings.render.picture = {};
     settings.render.picture.size = film_side;
     settings.render.picture.background = {255, 255, 255, 255};
-    const Film film = render_film(rig, animations.front(), texture, view_of(rig, animations), settings);
+    std::vector<BoneAnimation> filmed;
+    std::transform(animations.begin(), animations.end(), std::back_inserter(filmed), as_filmed);
+    const Film film = render_film(rig, filmed.front(), texture, view_of(rig, filmed), settings);
     if (webp_available()) return data_uri("image/webp", encode_webp(film.frames, film.fps));
     return data_uri("image/apng", encode_apng(film.frames, film.fps));
 }

@@ -119,9 +119,12 @@ double hanging_head(const Rig& rig, const LabelMap& labels, const PosedClip& cli
     const Pose rest = at_rest(rig);
     if (centre_of(rest, head).y <= centre_of(rest, body).y) return 0;
     int hanging = 0;
-    for (const Pose& pose : clip.poses)
-        hanging +=
-            centre_of(pose, head).y < centre_of(pose, body).y || stiff_motion(rest, pose, head).cosine < 0;
+    // As the body sees it: one that lies, or stands on its hands, has its head where it belongs.
+    for (const Pose& pose : clip.poses) {
+        const StiffMotion b = stiff_motion(rest, pose, body), h = stiff_motion(rest, pose, head);
+        const Vec3 d = centre_of(pose, head) - centre_of(pose, body);
+        hanging += b.cosine * d.y - b.sine * d.x < 0 || h.cosine * b.cosine + h.sine * b.sine < 0;
+    }
     return static_cast<double>(hanging) / static_cast<double>(clip.poses.size());
 }
 

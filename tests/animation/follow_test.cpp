@@ -228,6 +228,38 @@ TEST_CASE("A cartwheel goes once round in the picture's plane without turning aw
     }
 }
 
+TEST_CASE("A hierarchy that does not stand at rest lets the frames say where up is", "[motion]") {
+    // All bones along x at rest, as some programs write; the frames turn them to a standing figure that
+    // walks.
+    const auto standing = [](const std::string& joint, double time) -> Angles {
+        if (joint == "left thigh" || joint == "right thigh") {
+            const double swing = 30 * std::sin(2 * math::pi * time) * (joint == "left thigh" ? 1 : -1);
+            return {-90 + swing, 0, 0}; // legs swing along x: it looks to +x
+        }
+        if (joint == "neck") return {90, 0, 0};
+        return {0, 0, 0};
+    };
+    std::string text = performer(mixamo, standing);
+    const auto along_x = [&](const std::string& from, const std::string& to) {
+        for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+            text.replace(at, from.size(), to);
+    };
+    along_x("OFFSET 0 -40 0", "OFFSET 40 0 0");
+    along_x("OFFSET 9.000000 -5.000000 0.000000", "OFFSET 0 -5 -9"); // hips and shoulders lie along z
+    along_x("OFFSET -9.000000 -5.000000 0.000000", "OFFSET 0 -5 9");
+    along_x("OFFSET 17.000000 45.000000 0.000000", "OFFSET 0 45 -17");
+    along_x("OFFSET -17.000000 45.000000 0.000000", "OFFSET 0 45 17");
+    along_x("OFFSET 0 8 0", "OFFSET 8 0 0");
+    along_x("OFFSET 0 20 0", "OFFSET 20 0 0");
+    const Rig rig = doll();
+    const BoneAnimation a = followed(text, rig);
+    for (std::size_t i = 0; i < a.times.size(); ++i) {
+        const double swing = 30 * std::sin(2 * math::pi * a.times[i]);
+        CHECK(off(rig, a, left_leg, i, -90 + swing) == Approx(0).margin(0.05));
+        CHECK(off(rig, a, head_bone, i, 90) == Approx(0).margin(0.05));
+    }
+}
+
 TEST_CASE("A figure that sits from the first frame on has its thighs to the side that it looks to",
           "[motion]") {
     const Rig rig = doll();

@@ -6,7 +6,6 @@
 
 #include "cli/demo.hpp"
 #include "pantin/image.hpp"
-#include "support/performers.hpp"
 
 using namespace pantin;
 using namespace pantin::test;
@@ -96,40 +95,6 @@ TEST_CASE("--scene shows the page with every character in its place, moving", "[
     CHECK(difference(frames[0], frames[frames.size() / 4]) > 0.05);
     CHECK(frames[0](0, 0) == page(0, 0)); // the paper is the page's
     CHECK(frames[0](0, 0) == frames[4](0, 0));
-}
-
-TEST_CASE("--motion gives humanoids one more clip, prints its joints, and writes films, GLB and BVH",
-          "[cli][motion]") {
-    const TemporaryFolder folder;
-    const fs::path file = folder / "jack.bvh", out = folder / "out";
-    write(file, performer(mixamo, jumping_jack, 16));
-    const std::vector<std::string> line{"animate",     small_page, "-o",   out.string(), "--motion",
-                                        file.string(), "--clip",   "jack", "--format",   "bvh,png"};
-    const Outcome outcome = run_pantin(line + small_films);
-    REQUIRE(outcome.code == 0);
-    CHECK(outcome.out.find("jack: left upper arm: mixamorig:LeftArm\n") != std::string::npos);
-    CHECK(fs::exists(out / "character-1/frames/jack/0002.png"));
-    CHECK_FALSE(fs::exists(out / "character-1/frames/walk"));
-    CHECK(read(out / "character-1/animation-jack.bvh").starts_with("HIERARCHY\nROOT hips\n"));
-    CHECK(read(out / "character-1/character.glb").find("\"name\":\"jack\"") != std::string::npos);
-    // Step by step it is the same.
-    const auto before = read_all(out / "character-1");
-    REQUIRE(run_pantin({"rig", (out / "character-1").string(), "--motion", file.string()}).code == 0);
-    CHECK((read_all(out / "character-1") == before));
-}
-
-TEST_CASE("A motion that cannot be used is one line and exit code 3 before anything is written",
-          "[cli][motion]") {
-    const TemporaryFolder folder;
-    const fs::path out = folder / "out";
-    for (const std::string text : {"HIERARCHY", ""}) {
-        write(folder / "bad.bvh", text);
-        const Outcome outcome = run_pantin(
-            {"animate", small_page, "-o", out.string(), "--motion", (folder / "bad.bvh").string()});
-        CHECK(outcome.code == 3);
-        CHECK(outcome.err.find("bad.bvh: line 1: ") != std::string::npos);
-        CHECK_FALSE(fs::exists(out));
-    }
 }
 
 TEST_CASE("--blend is the same in one go and step by step", "[cli][blend]") {
