@@ -29,6 +29,19 @@ bool on_four(const LimbDirections& d, Vec3 up) {
     return cosine(d.arms, up) < -0.5 && std::abs(cosine(d.trunk, up)) < across;
 }
 
+double arms_to_legs(const Motion& motion, const MotionJoints& joints) {
+    const std::vector<Vec3> pose = joint_positions(motion, 0);
+    const auto bone = [&](int a, int b) {
+        return distance(pose[static_cast<std::size_t>(a)], pose[static_cast<std::size_t>(b)]);
+    };
+    double arms = 0, legs = 0;
+    for (const auto& s : {joints.left, joints.right}) {
+        arms += bone(s.upper_arm, s.forearm) + bone(s.forearm, s.hand);
+        legs += bone(s.thigh, s.shin) + bone(s.shin, s.foot);
+    }
+    return legs > 0 ? arms / legs : 0;
+}
+
 } // namespace
 
 LimbDirections limb_directions(const std::vector<Vec3>& pose, const MotionJoints& joints) {
@@ -60,8 +73,9 @@ BodyAxes body_axes(const Motion& motion, const MotionJoints& joints) {
     const Vec3 up_on_four = nearest_axis(on_limbs);
     const auto four = std::count_if(poses.begin(), poses.end(),
                                     [&](const LimbDirections& d) { return on_four(d, up_on_four); });
-    // A person who crawls now and then is none.
-    result.on_four_legs = static_cast<double>(four) > 0.8 * static_cast<double>(poses.size());
+    // A person who crawls now and then is none, nor one who crawls all the time: arms are shorter than legs.
+    result.on_four_legs = static_cast<double>(four) > 0.8 * static_cast<double>(poses.size()) &&
+                          arms_to_legs(motion, joints) > 0.8;
     result.up = result.on_four_legs ? up_on_four : nearest_axis(standing);
     return result;
 }

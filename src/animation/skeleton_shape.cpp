@@ -68,7 +68,8 @@ public:
         for (std::size_t j = at(root); j < at(root) + static_cast<std::size_t>(size_[at(root)]); ++j)
             for (std::size_t x = 0; x < children_[j].size(); ++x)
                 for (std::size_t y = x + 1; y < children_[j].size(); ++y)
-                    if (const int a = children_[j][x], b = children_[j][y]; are_alike(a, b))
+                    if (const int a = children_[j][x], b = children_[j][y];
+                        are_alike(a, b) && limb(a) && limb(b))
                         all.push_back({static_cast<int>(j), depth_[j], a, b, extent(a)});
         std::stable_sort(all.begin(), all.end(),
                          [](const Pair& p, const Pair& q) { return p.length > q.length; });

@@ -196,6 +196,15 @@ TEST_CASE("Twists inside a limb, fingers and a prop beside the body do not misle
     check_joints(motion, match_joints(motion, "p.bvh"), names);
 }
 
+TEST_CASE("Controls beside the limbs, each as long as a leg, are no limbs", "[motion]") {
+    const SkeletonNames names = meaningless();
+    SkeletonJoint body = person(names);
+    for (const double s : {1.0, -1.0})
+        body.children.push_back({s > 0 ? "a9" : "b9", 9 * s, -90, 0, {{"", 0, 0, 8, {}}}});
+    const Motion motion = motion_of(body);
+    check_joints(motion, match_joints(motion, "p.bvh"), names);
+}
+
 TEST_CASE("A file of two skeletons gives the one that is a body", "[motion]") {
     const SkeletonNames& names = schemes[1].second;
     std::string text = still_motion(person(names));
