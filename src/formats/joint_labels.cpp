@@ -62,9 +62,11 @@ private:
     // Of a joint without a known name that hangs on the trunk or on nothing.
     Label on_trunk(int j) const {
         if (joints_[j].parent < 0 || tree_.children(j).size() > 1) return Label::body;
+        unsigned beyond = beyond_[j];
+        if (beyond & (bit(Label::wing) | bit(Label::tail))) beyond &= ~bit(Label::limb); // a wing's elbow
         for (const Label label : part_labels)
-            if (beyond_[j] == bit(label)) return label;
-        return beyond_[j] == 0 && !tree_.forks(j) ? Label::limb : Label::body;
+            if (beyond == bit(label)) return label;
+        return beyond == 0 && !tree_.forks(j) ? Label::limb : Label::body;
     }
 
     const std::vector<FigureJoint>& joints_;

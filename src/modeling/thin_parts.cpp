@@ -13,10 +13,13 @@ namespace {
 
 // All in cells. A point is at most √5/4 from the nearest point of a body-centred cubic lattice: a part that
 // is nowhere thicker may lie between its points, and one that is not much thicker comes to pieces.
-constexpr double thin = 0.56, torn = 0.75;
-constexpr double longest_loss = 5; // so far a tip may be cut off, as tips of all parts are
-constexpr double bar = 0.9;        // radius of a bar
-constexpr double samples = 0.5;    // of an axis lie so far apart
+constexpr double thin = 0.56;
+// So far a part may be thinner without being lost: tips of all parts are cut off, and the thicker a part is
+// the seldomer it is torn.
+constexpr double torn = 0.75, longest_torn = 5;
+constexpr double doubtful = 0.9, longest_doubtful = 12;
+constexpr double bar = 0.9;     // radius of a bar
+constexpr double samples = 0.5; // of an axis lie so far apart
 constexpr int most_samples = 10'000;
 
 Vec3 on(const AxisBone& bone, double t) { return bone.from + t * (bone.to - bone.from); }
@@ -88,23 +91,26 @@ private:
 
     bool is_lost(int part) const {
         bool holds = parts_[part].axis.empty(); // a lattice point, wherever it lies
-        std::vector<Stretch> all;
-        for (const AxisBone& bone : parts_[part].axis) {
-            if (bone.joins) continue;
-            for (const double t : {0.0, 1.0}) holds = holds || half_thickness(part, bone, t) >= thin * cell_;
-            for (const Stretch& stretch : thinner(part, bone, torn)) all.push_back(stretch);
-        }
-        if (all.empty()) return false;
-        return !holds || longest(all) > longest_loss * cell_;
+        for (const AxisBone& bone : parts_[part].axis)
+            for (const double t : {0.0, 1.0})
+                holds = holds || (!bone.joins && half_thickness(part, bone, t) >= thin * cell_);
+        return longest(part, torn) > (holds ? longest_torn * cell_ : 0) ||
+               longest(part, doubtful) > longest_doubtful * cell_;
     }
 
-    static double longest(const std::vector<Stretch>& all) {
+    // The longest way on which the part is thinner, model's units; more than 0 if it is anywhere.
+    double longest(int part, double than) const {
+        std::vector<Stretch> all;
+        for (const AxisBone& bone : parts_[part].axis)
+            if (!bone.joins)
+                for (const Stretch& stretch : thinner(part, bone, than)) all.push_back(stretch);
         DisjointSets sets(all.size());
         for (int i = 0; i < std::ssize(all); ++i)
             for (int k = 0; k < i; ++k)
                 if (all[i].meets(all[k])) sets.unite(i, k);
-        std::vector<double> lengths(all.size(), 0);
-        for (int i = 0; i < std::ssize(all); ++i) lengths[sets.find(i)] += all[i].length();
+        std::vector<double> lengths(all.size() + 1, 0);
+        for (int i = 0; i < std::ssize(all); ++i)
+            lengths[sets.find(i)] += all[i].length() + 1e-9 * cell_; // a speck has no length
         return *std::max_element(lengths.begin(), lengths.end());
     }
 
