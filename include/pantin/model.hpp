@@ -42,6 +42,10 @@ struct SolidMesh {
     std::vector<Vec3> vertices;
     std::vector<std::array<int, 3>> triangles; // counter-clockwise from outside
     std::vector<int> parts;                    // of unite(): the part that each vertex lies on
+    // Of unite(): parts that are thinner than the grid can hold, in places, in ascending order, and how thick
+    // they were made there.
+    std::vector<int> thin_parts{};
+    double least_thickness = 0;
 };
 // Of the canvas into the model: a point (x, y) at depth d lies at origin + x · right + y · down + d · out.
 // Right, down and out are orthogonal and of one length; mirrored copies have the other handedness.
@@ -54,10 +58,19 @@ Vec3 to_model(const Frame& frame, Point2d canvas, double depth = 0);
 // thickness. No error. RealSkel 4.1.
 SolidMesh part_surface(const Inflation& inflation, double height, const Frame& frame);
 
+// A bone of a part's skeleton with the radii of the discs that fit into the outline at its ends; the model's
+// frame and canvas units.
+struct AxisBone {
+    Vec3 from, to;
+    double from_radius = 0, to_radius = 0;
+    bool joins = false; // it leads from the part to the one that it hangs on
+};
 struct InflatedPart {
     const Inflation* inflation = nullptr;
     double height = 1;
     Frame frame;
+    // Along it unite() keeps what is thinner than its grid; empty: that may get lost.
+    std::vector<AxisBone> axis{};
 };
 struct UnionOptions {
     double cell = 0; // of the grid, canvas units; 0: from the model's size and its thinnest part
@@ -65,8 +78,9 @@ struct UnionOptions {
     double cells_across = 44;
 };
 // The outer surface of all parts as one mesh: closed, oriented, without self-intersection. The zero set of
-// the parts' distances on a body-centred cubic grid, by marching tetrahedra (Doi & Koide 1991). Canvas units.
-// Error(input) when parts are too thin or too far apart for one grid. RealSkel 4.1 (errata 29).
+// the parts' distances on a body-centred cubic grid, by marching tetrahedra (Doi & Koide 1991). What is
+// thinner than the grid can hold is made as thick as it can (SolidMesh::thin_parts), so that no part is lost.
+// Canvas units. Error(input) when parts are too far apart for one grid. RealSkel 4.1 (errata 29).
 SolidMesh unite(const std::vector<InflatedPart>& parts, const UnionOptions& options = {});
 
 // --- the model ---------------------------------------------------------------------------------------------
@@ -120,7 +134,8 @@ public:
     const std::vector<ModelPart>& parts() const { return parts_; }
     const Connection& connection() const { return connection_; } // as connected, before refinement
     const ModelSkeleton& skeleton() const { return skeleton_; }
-    const std::vector<std::string>& repairs() const { return repairs_; } // of strokes that cross themselves
+    // Of strokes that cross themselves, and of parts that the last union made thicker.
+    std::vector<std::string> repairs() const;
 
     // Of one part (an index of parts()), of each, and of all united: canvas units, the model's frame. Errors
     // of inflate() and unite(). RealSkel 4.1.
@@ -136,6 +151,8 @@ private:
     void simplify(Drawn& drawn, int branch, double threshold) const;
     void update();
     const Inflation& inflation_of(int part);
+    std::vector<AxisBone> axis_of(int part) const;
+    void remark_thin(const SolidMesh& mesh);
 
     Point2d origin_;
     ModelOptions options_;
@@ -145,7 +162,7 @@ private:
     std::vector<ModelPart> parts_;
     Connection connection_;
     ModelSkeleton skeleton_;
-    std::vector<std::string> repairs_;
+    std::vector<std::string> repairs_, thin_; // of strokes; of the last union
 };
 
 // --- skin weights ------------------------------------------------------------------------------------------

@@ -39,6 +39,8 @@ struct Page {
     int width = 0, height = 0;             // after that, pixels
     std::string detector = "contour";      // or "mask-rcnn", or "given"
     std::vector<PageCharacter> characters; // left to right, then top to bottom
+    // What was wrong with the given files and could be helped: one line each that names the file.
+    std::vector<std::string> remarks{};
 };
 
 // Reads a page.json. Error(input) names the file, the place and the fact. Own format.

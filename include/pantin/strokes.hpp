@@ -13,6 +13,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -98,6 +99,9 @@ Strokes strokes_from_svg(const std::string& text, const std::string& file);
 // Whether this build has strokes_from_svg(). No error. Own.
 bool svg_available();
 
+// What a single word in small letters says: "ears", "leftwing"; `background` when it is not known. No error.
+// Own.
+Label label_of_word(std::string_view word);
 // The label that a part's name asks for: "left_wing" wing, "ear" head, "body" body, "claw" limb; limb when no
 // word of it is known. No error. Own.
 Label label_of_part(const std::string& name);

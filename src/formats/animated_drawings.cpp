@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Joints of a char_cfg.yaml in, part labels of its mask out; a humanoid rig in, such a folder out (Smith et
-// al. 2023, AnimatedDrawings).
+// A humanoid rig in, a character folder out (Smith et al. 2023, AnimatedDrawings).
 #include "formats/animated_drawings.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "core/file.hpp"
-#include "core/json_reader.hpp"
-#include "core/yaml.hpp"
+#include "formats/figure_joints.hpp"
 #include "formats/file_names.hpp"
 #include "pantin/image.hpp"
 #include "pantin/motion.hpp"
@@ -24,39 +22,7 @@ namespace {
 
 using Joints = std::map<std::string, Point2d>;
 
-struct Segment {
-    Label label;
-    Point2d from, to;
-};
-
-double distance_to(const Segment& s, Point2d p) {
-    const Point2d d = s.to - s.from;
-    const double n = d.x * d.x + d.y * d.y;
-    const double t = n > 0 ? std::clamp(((p.x - s.from.x) * d.x + (p.y - s.from.y) * d.y) / n, 0.0, 1.0) : 0;
-    return distance(p, s.from + t * d);
-}
-
 Point2d between(Point2d a, Point2d b, double share) { return a + share * (b - a); }
-
-// The trunk comes first: where a limb is no nearer, a pixel belongs to it.
-std::vector<Segment> segments_of(const Joints& j) {
-    const auto at = [&](const std::string& name) { return j.at(name); };
-    std::vector<Segment> all = {{Label::body, at("torso"), at("hip")},
-                                {Label::body, at("left_shoulder"), at("right_shoulder")},
-                                {Label::body, at("left_hip"), at("right_hip")}};
-    for (const std::string side : {"left_", "right_"}) {
-        all.push_back({Label::body, at(side + "shoulder"), at(side + "hip")});
-        // Where trunk and limb meet, the first fifth of the limb is the trunk's.
-        all.push_back(
-            {Label::limb, between(at(side + "shoulder"), at(side + "elbow"), 0.2), at(side + "elbow")});
-        all.push_back({Label::limb, at(side + "elbow"), at(side + "hand")});
-        all.push_back({Label::limb, between(at(side + "hip"), at(side + "knee"), 0.2), at(side + "knee")});
-        all.push_back({Label::limb, at(side + "knee"), at(side + "foot")});
-    }
-    all.push_back(
-        {Label::head, between(at("torso"), at("neck"), 0.6), between(at("torso"), at("neck"), 1.6)});
-    return all;
-}
 
 // Joints of the limb that a reference's joint drives: where it begins, its bend, its tip.
 std::optional<std::array<Point2d, 3>> limb_of(const Rig& rig, const ReferenceSkeleton& reference,
@@ -107,69 +73,12 @@ std::string config_text(const Joints& joints, int width, int height) {
     return text + "width: " + std::to_string(width) + "\n";
 }
 
-// The number that the text of a scalar is: 12, 012, +3.5, 1e3.
-std::optional<double> number_of(const std::string& text) {
-    const char *begin = text.data() + (text.starts_with('+') ? 1 : 0), *end = text.data() + text.size();
-    double number = 0;
-    const auto [last, error] = std::from_chars(begin, end, number);
-    return error == std::errc() && last == end ? std::optional(number) : std::nullopt;
-}
-
-Joints parse_joints(const std::string& text, const std::string& file, int width, int height) {
-    const Json config = parse_yaml(text, file);
-    const JsonReader reader(config, file);
-    if (!reader.has("skeleton") || !config["skeleton"].is_array()) reader.fail("has no list \"skeleton\"");
-    Joints joints;
-    for (const JsonReader& joint : reader.at("skeleton").elements()) {
-        const std::string name = joint.at("name").text();
-        const auto fail = [&](const std::string& fact) { reader.fail("joint '" + name + "' " + fact); };
-        if (!joint.has("loc") || joint.at("loc").value().size() != 2) fail("has no place of two numbers");
-        const auto place = joint.at("loc").elements();
-        const auto coordinate = [&](std::size_t k) {
-            const std::optional<double> number = number_of(place[k].text());
-            if (!number) fail("has no place of two numbers");
-            return *number;
-        };
-        const Point2d p{coordinate(0), coordinate(1)};
-        // A joint may lie a little outside of the picture.
-        if (!(std::abs(p.x) <= 2.0 * width && std::abs(p.y) <= 2.0 * height))
-            fail("lies far outside of texture.png");
-        joints[name] = p;
-    }
-    for (const auto& joint : animated_drawings_joints)
-        if (!joints.contains(joint.name)) reader.fail("misses the joint '" + std::string(joint.name) + "'");
-    return joints;
-}
-
 } // namespace
 
 bool is_animated_drawings_folder(const fs::path& folder) {
     std::error_code ignored;
-    return fs::is_directory(folder, ignored) &&
-           fs::exists(folder / file_names::animated_drawings_config, ignored);
-}
-
-std::map<std::string, Point2d> read_joints(const fs::path& folder, int width, int height) {
-    const std::string file = (folder / file_names::animated_drawings_config).string();
-    return parse_joints(read_text(folder / file_names::animated_drawings_config, std::size_t{1} << 20), file,
-                        width, height);
-}
-
-LabelMap labels_from_joints(const Mask& mask, const std::map<std::string, Point2d>& joints) {
-    const std::vector<Segment> segments = segments_of(joints);
-    LabelMap labels(mask.width(), mask.height());
-    for (int y = 0; y < mask.height(); ++y)
-        for (int x = 0; x < mask.width(); ++x) {
-            if (!mask(x, y)) continue;
-            double nearest = std::numeric_limits<double>::infinity();
-            for (const Segment& segment : segments) {
-                const double d = distance_to(segment, to_double({x, y}));
-                if (d >= nearest) continue;
-                nearest = d;
-                labels(x, y) = static_cast<std::uint8_t>(segment.label);
-            }
-        }
-    return labels;
+    if (!fs::is_directory(folder, ignored)) return false;
+    return fs::exists(joints_file(folder), ignored) || fs::exists(folder / file_names::texture, ignored);
 }
 
 bool write_animated_drawings(const fs::path& folder, const Rig& rig, const ReferenceSkeleton& reference,

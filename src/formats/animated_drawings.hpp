@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Character folders of AnimatedDrawings (facebookresearch/AnimatedDrawings): texture.png, mask.png and
-// char_cfg.yaml, the joints of a human figure. Reading needs yaml-cpp (yaml_available).
+// char_cfg.yaml, whose joints figure_joints.hpp reads.
 #pragma once
 
 #include <array>
 #include <filesystem>
-#include <map>
-#include <string>
 
 #include "pantin/image.hpp"
 #include "pantin/rigging.hpp"
 
 namespace pantin {
 
-// The joints that AnimatedDrawings knows, parents first. "neck" is the middle of the head; left and right are
-// the figure's own.
+// The joints of a human figure in AnimatedDrawings, parents first. "neck" is the middle of the head; left and
+// right are the figure's own.
 struct AnimatedDrawingsJoint {
     const char *name, *parent;
 };
@@ -36,13 +34,8 @@ inline constexpr std::array<AnimatedDrawingsJoint, 16> animated_drawings_joints 
      {"left_knee", "left_hip"},
      {"left_foot", "left_knee"}}};
 
+// Whether it is a folder with char_cfg.yaml (or .yml) or texture.png. No error. Own.
 bool is_animated_drawings_folder(const std::filesystem::path& folder);
-
-// The joints of folder/char_cfg.yaml in pixels of texture.png, which has the given size. Error(input) names
-// the file and the joint that is missing or has no place.
-std::map<std::string, Point2d> read_joints(const std::filesystem::path& folder, int width, int height);
-// Part labels of a silhouette by the nearest bone between the joints.
-LabelMap labels_from_joints(const Mask& mask, const std::map<std::string, Point2d>& joints);
 
 // Writes texture.png, mask.png and char_cfg.yaml for a rig with two arms and two legs; false when it has
 // none.

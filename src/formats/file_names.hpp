@@ -37,6 +37,7 @@ inline constexpr const char* skeleton_comparison = "skeletons.json";
 // A folder of AnimatedDrawings.
 inline constexpr const char* texture = "texture.png";
 inline constexpr const char* animated_drawings_config = "char_cfg.yaml";
+inline constexpr const char* animated_drawings_config_short = "char_cfg.yml";
 
 // A model's folder, besides drawing, mask, labels and skeleton.
 inline constexpr const char* strokes = "strokes.json";

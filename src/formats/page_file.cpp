@@ -81,6 +81,7 @@ std::string page_to_json(const Page& page) {
     json["width"] = page.width;
     json["height"] = page.height;
     json["detector"] = page.detector;
+    if (!page.remarks.empty()) json["remarks"] = page.remarks;
     json["characters"] = Json::array();
     for (const PageCharacter& character : page.characters) {
         Json item;
@@ -110,6 +111,9 @@ Page page_from_json(const std::string& text, const std::string& file) {
     page.width = read_int(reader.at("width"), 1, max_side);
     page.height = read_int(reader.at("height"), 1, max_side);
     page.detector = reader.at("detector").text();
+    if (reader.has("remarks"))
+        for (const JsonReader& remark : reader.at("remarks").elements())
+            page.remarks.push_back(remark.text());
     for (const JsonReader& item : reader.at("characters").elements())
         page.characters.push_back(read_page_character(item));
     return page;

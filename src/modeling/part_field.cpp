@@ -25,7 +25,7 @@ Extent extent_of(const std::vector<Point2d>& points) {
 
 } // namespace
 
-PartField::PartField(const InflatedPart& part, double spacing)
+PartField::PartField(const InflatedPart& part, double spacing, double least)
     : frame_(part.frame), size_(length(part.frame.right)), height_(part.height), spacing_(spacing / size_) {
     const Inflation& inflation = *part.inflation;
     const Extent extent = extent_of(inflation.points);
@@ -36,9 +36,10 @@ PartField::PartField(const InflatedPart& part, double spacing)
         static_cast<int>(std::ceil((extent.high.y - extent.low.y + 2 * margin) / spacing_)) + 2, 0);
     slope_ = 2 * inflation.half_width;
     tabulate(inflation);
-    continue_outside(inflation);
+    continue_outside(inflation, least / size_);
     const double thickest =
-        height_ * std::sqrt(*std::max_element(inflation.squared.begin(), inflation.squared.end()));
+        std::max(height_ * std::sqrt(*std::max_element(inflation.squared.begin(), inflation.squared.end())),
+                 least / size_);
     const double beyond = outside_band * spacing_;
     bool first = true;
     for (const double x : {extent.low.x - beyond, extent.high.x + beyond})
@@ -73,8 +74,9 @@ void PartField::tabulate(const Inflation& inflation) {
     }
 }
 
-// Beyond the outline the squared thickness falls on with one slope.
-void PartField::continue_outside(const Inflation& inflation) {
+// Beyond the outline the squared thickness falls on with one slope. Inside, a part that is too flat gets the
+// least half thickness R, and a round rim: at a distance r from the outline R² − (R − r)².
+void PartField::continue_outside(const Inflation& inflation, double least) {
     Grid<double> away(squared_.width(), squared_.height(), outside_band * spacing_);
     for (const auto& corners : inflation.triangles)
         for (int k = 0; k < 3; ++k) {
@@ -96,8 +98,14 @@ void PartField::continue_outside(const Inflation& inflation) {
                     away(x, y) = std::min(away(x, y), distance(p, a + t * v));
                 }
         }
-    for (std::size_t i = 0; i < squared_.size(); ++i)
-        if (squared_.data()[i] <= 0) squared_.data()[i] = -slope_ * away.data()[i];
+    for (std::size_t i = 0; i < squared_.size(); ++i) {
+        double& squared = squared_.data()[i];
+        const double r = std::min(away.data()[i], least);
+        if (squared <= 0)
+            squared = -slope_ * away.data()[i];
+        else if (least > 0)
+            squared = std::max(squared, r * (2 * least - r) / (height_ * height_));
+    }
 }
 
 double PartField::operator()(Vec3 p) const {

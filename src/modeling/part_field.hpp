@@ -24,8 +24,9 @@ struct Box3 {
 
 class PartField {
 public:
-    PartField(const InflatedPart& part,
-              double spacing); // spacing: of the table of the half thickness, model's units
+    // spacing: of the table of the half thickness; least: half thickness of the part all over but for its
+    // rim, which is round; model's units, at most 3 spacings.
+    PartField(const InflatedPart& part, double spacing, double least = 0);
 
     const Box3& box() const { return box_; } // of the part in the model's frame
     // Negative inside, positive outside, zero on the surface; near it about the distance, model's units.
@@ -33,7 +34,7 @@ public:
 
 private:
     void tabulate(const Inflation& inflation);
-    void continue_outside(const Inflation& inflation);
+    void continue_outside(const Inflation& inflation, double least);
 
     Frame frame_;
     double size_ = 1, height_ = 1, spacing_ = 1; // size: of a canvas unit in the model; spacing on the canvas

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/name_words.hpp"
 #include "pantin/strokes.hpp"
 
 namespace pantin {
@@ -37,29 +38,6 @@ constexpr auto known_words = std::to_array<Known>({
 constexpr std::array<std::string_view, 12> prefixes = {"left", "right", "fore",  "hind",   "front", "back",
                                                        "rear", "upper", "lower", "middle", "inner", "outer"};
 
-bool is_small(char c) { return c >= 'a' && c <= 'z'; }
-bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
-
-// Runs of letters in small letters, also split before the capital of "leftArm" and "LEFTArm".
-std::vector<std::string> words_of(const std::string& name) {
-    std::vector<std::string> words;
-    bool open = false;
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        const char c = name[i];
-        const bool capital = is_capital(c);
-        if (!capital && !is_small(c)) {
-            open = false;
-            continue;
-        }
-        const bool hump =
-            capital && i > 0 && (is_small(name[i - 1]) || (i + 1 < name.size() && is_small(name[i + 1])));
-        if (!open || hump) words.emplace_back();
-        open = true;
-        words.back() += capital ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    return words;
-}
-
 Label label_of_singular(std::string_view word) {
     const auto found =
         std::find_if(known_words.begin(), known_words.end(), [&](const Known& k) { return k.word == word; });
@@ -78,6 +56,8 @@ Label label_of_number(std::string_view word) {
     return label;
 }
 
+} // namespace
+
 Label label_of_word(std::string_view word) {
     Label label = label_of_number(word);
     for (const std::string_view prefix : prefixes)
@@ -85,8 +65,6 @@ Label label_of_word(std::string_view word) {
             label = label_of_number(word.substr(prefix.size()));
     return label;
 }
-
-} // namespace
 
 Label label_of_part(const std::string& name) {
     // In a compound the last word says what it is: a "head feather hand" is a hand.

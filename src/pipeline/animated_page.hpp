@@ -22,7 +22,8 @@ struct AnimatedPage {
 AnimatedPage animate_page(const std::filesystem::path& image, const std::filesystem::path& out,
                           Context& context, bool keep_intermediate);
 
-// As wanted, and what follows from the kind of input: the characters of AnimatedDrawings are human figures.
+// As wanted, and what follows from the kind of input: a folder of AnimatedDrawings with the joints of a human
+// figure is one.
 Settings settings_for(const std::filesystem::path& image, const Settings& wanted);
 // Error(not_animated) names the reasons when the status of no character is "ok".
 void require_animated(const std::filesystem::path& image, const Page& page);

@@ -38,6 +38,7 @@ std::string type_of(const fs::path& folder, const std::string& status) {
 }
 
 void describe_page(BatchResult& result, const Page& page, const fs::path& out) {
+    result.remarks = page.remarks;
     for (const PageCharacter& c : page.characters)
         result.characters.push_back({c.folder, c.status, type_of(out / c.folder, c.status), c.warnings});
     const bool any = std::any_of(page.characters.begin(), page.characters.end(),
@@ -68,6 +69,7 @@ std::optional<Page> finished_page(const fs::path& image, const fs::path& out, co
 
 void set_failure(BatchResult& result, const std::string& message, ErrorKind kind) {
     result.characters.clear();
+    result.remarks.clear();
     result.skipped = false;
     result.status = "error: " + message;
     result.code = static_cast<int>(kind);
@@ -123,6 +125,7 @@ std::string batch_line(const BatchResult& result, bool with_seconds) {
                  {"status", result.status},
                  {"code", result.code}};
     if (result.skipped) line["skipped"] = true;
+    if (!result.remarks.empty()) line["remarks"] = result.remarks;
     line["characters"] = Json::array();
     for (const BatchCharacter& c : result.characters) {
         Json item = {{"folder", c.folder},

@@ -26,6 +26,7 @@ struct BatchResult {
         "ok";             // a character was animated; or "step: reason" of the first one, or "error: message"
     int code = 0;         // the exit code of `pantin animate`
     bool skipped = false; // was done already
+    std::vector<std::string> remarks; // of page.json
     std::vector<BatchCharacter> characters;
     double seconds = 0;
     double share = -1; // of the input up to this line, for the progress bar; negative: unknown

@@ -88,6 +88,8 @@ AnimatedPage detect_characters(const fs::path& image, Context& context) {
     else
         detection = detect_on(result.picture, loaded.ink, image, context);
     tell_of_paper(image, loaded, given.has_value(), context);
+    if (given) result.page.remarks = given->remarks;
+    for (const std::string& remark : result.page.remarks) context.notice(remark);
     result.ink = std::move(detection.ink);
 
     Page& page = result.page;

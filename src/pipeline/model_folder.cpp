@@ -76,7 +76,7 @@ void model_folder(const fs::path& input, const fs::path& out, const fs::path& ca
         view.height = source.picture->labels.height();
     } else {
         view = view_of(model, mesh);
-        source.picture = draw(model, view);
+        source.picture = draw(model, view, mesh);
     }
     progress("weights", 0.6);
     const Rig rig = model_rig(model, mesh, view, projected ? std::vector<Rgb8>{} : part_colours(model, mesh));

@@ -5,9 +5,12 @@
 #include <algorithm>
 
 #include "formats/animated_drawings.hpp"
+#include "formats/figure_joints.hpp"
 #include "formats/file_names.hpp"
+#include "formats/joint_labels.hpp"
 #include "formats/pictures.hpp"
 #include "pantin/image.hpp"
+#include "pipeline/given_mask.hpp"
 
 namespace pantin {
 
@@ -15,12 +18,38 @@ namespace fs = std::filesystem;
 
 namespace {
 
-GreyImage load_beside(const fs::path& file, const RgbImage& page, const fs::path& image, int rotate) {
-    GreyImage picture = turned(load_grey(file), rotate);
-    if (picture.width() != page.width() || picture.height() != page.height())
-        fail_size(file, picture.width(), picture.height(), picture_of(image).string(), page.width(),
-                  page.height());
-    return picture;
+void check_size(const fs::path& file, int width, int height, const RgbImage& page, const fs::path& image) {
+    if (width != page.width() || height != page.height())
+        fail_size(file, width, height, picture_of(image).string(), page.width(), page.height());
+}
+
+Mask mask_beside(const fs::path& file, const RgbImage& page, const fs::path& image, int rotate,
+                 std::vector<std::string>& remarks) {
+    GivenMask given = load_given_mask(file, rotate);
+    check_size(file, given.mask.width(), given.mask.height(), page, image);
+    if (!given.remark.empty()) remarks.push_back(given.remark);
+    return std::move(given.mask);
+}
+
+// Of a folder's joints; none, and a remark, when the part network has to say what the parts are.
+LabelMap labels_beside(const Mask& mask, const fs::path& folder, int rotate,
+                       std::vector<std::string>& remarks) {
+    constexpr const char* instead = "; the network's parts are taken";
+    const FigureJoints figure = read_joints(folder, mask.width(), mask.height());
+    if (figure.joints.empty()) {
+        remarks.push_back(figure.remark + instead);
+        return {};
+    }
+    LabelMap labels = labels_from_joints(mask, figure.joints);
+    if (labels.empty()) {
+        remarks.push_back(joints_file(folder).string() +
+                          ": its joints do not say what is trunk, head, limb, tail or wing" + instead);
+        return {};
+    }
+    if (rotate != 0)
+        throw Error(ErrorKind::usage, "--rotate does not go with the joints of " + folder.string());
+    if (!figure.remark.empty()) remarks.push_back(figure.remark);
+    return labels;
 }
 
 } // namespace
@@ -42,25 +71,23 @@ std::optional<GivenCharacter> given_character(const RgbImage& page, const PageIn
     if (overrides.mask.empty() && overrides.labels.empty()) return std::nullopt;
     Mask mask(page.width(), page.height(), 1);
     LabelMap labels;
-    if (!overrides.mask.empty()) {
-        mask = load_beside(overrides.mask, page, image, settings.rotate);
-        for (std::uint8_t& pixel : mask) pixel = pixel >= 128;
-    }
+    std::vector<std::string> remarks;
+    if (!overrides.mask.empty()) mask = mask_beside(overrides.mask, page, image, settings.rotate, remarks);
     if (!overrides.labels.empty()) {
-        labels = load_beside(overrides.labels, page, image, settings.rotate);
+        labels = load_grey(overrides.labels);
+        labels = turned(std::move(labels), settings.rotate);
+        check_size(overrides.labels, labels.width(), labels.height(), page, image);
         check_labels(labels, overrides.labels);
         for (std::size_t i = 0; i < mask.size(); ++i) {
             if (!mask.data()[i]) labels.data()[i] = 0;
             mask.data()[i] = labels.data()[i] != 0;
         }
     }
-    if (has_joints && settings.rotate != 0)
-        throw Error(ErrorKind::usage, "--rotate does not go with the joints of " + image.string());
-    if (has_joints) labels = labels_from_joints(mask, read_joints(image, page.width(), page.height()));
+    if (has_joints) labels = labels_beside(mask, image, settings.rotate, remarks);
     const fs::path& file = overrides.labels.empty() ? overrides.mask : overrides.labels;
     if (std::count(mask.begin(), mask.end(), 1) == 0)
         throw Error(ErrorKind::input, file.string() + ": has no pixel of the character");
-    GivenCharacter character{character_of(page, ink, mask, options), std::nullopt};
+    GivenCharacter character{character_of(page, ink, mask, options), std::nullopt, std::move(remarks)};
     const Mask& small = character.detected.mask;
     if (!labels.empty())
         character.labels =

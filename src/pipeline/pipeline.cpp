@@ -7,6 +7,7 @@
 
 #include "formats/animated_drawings.hpp"
 #include "formats/character_folder.hpp"
+#include "formats/figure_joints.hpp"
 #include "formats/file_names.hpp"
 #include "formats/page_file.hpp"
 #include "pantin/image.hpp"
@@ -173,7 +174,7 @@ AnimatedPage animate_page(const fs::path& image, const fs::path& out, Context& c
 
 Settings settings_for(const fs::path& image, const Settings& wanted) {
     Settings settings = wanted;
-    if (is_animated_drawings_folder(image) && settings.overrides.reference.empty())
+    if (settings.overrides.reference.empty() && is_animated_drawings_folder(image) && names_humanoid(image))
         settings.overrides.reference = "humanoid";
     return settings;
 }

@@ -169,3 +169,35 @@ TEST_CASE("Bad strokes that can be repaired are repaired and reported", "[cli][m
     CHECK(outcome.out.find("crosses itself") != std::string::npos);
     CHECK(outcome.out.find("repeated point") != std::string::npos);
 }
+
+TEST_CASE("Parts thinner than the grid are there, drawn and said", "[cli][model]") {
+    // Legs of 1 % of the model, one of which asks for a finer grid; whiskers of 0.1 %.
+    const Text input(R"({"parts": [
+      {"name": "body", "stroke": [[100, 100], [300, 90], [340, 140], [300, 200], [110, 190], [70, 150]]},
+      {"name": "leg", "stroke": [[120, 180], [124, 180], [124, 330], [120, 330]]},
+      {"name": "whisker", "label": "tail", "stroke": [[310, 140], [450, 60], [450, 60.5], [310, 140.5]]}]})");
+    const TemporaryFolder folder;
+    const Outcome outcome = model(input.file.string(), folder / "out");
+    CAPTURE(outcome.out, outcome.err);
+    REQUIRE(outcome.code == 0);
+    const std::string line = "part 'whisker': is thinner than the grid of the solid";
+    CHECK(outcome.out.find(input.file.string() + ": " + line) != std::string::npos);
+    const Json repairs = Json::parse(read(folder / "out/model.json"))["repairs"];
+    REQUIRE(repairs.size() >= 1);
+    CHECK(repairs.back().get<std::string>().starts_with(line));
+    // All of the whisker that does not lie in the body is seen.
+    const GreyImage labels = load_grey(folder / "out/labels.png");
+    int rows = 0, columns = 0;
+    for (int y = 0; y < labels.height(); ++y) {
+        bool seen = false;
+        for (int x = 0; x < labels.width(); ++x) seen = seen || labels(x, y) == 4;
+        rows += seen;
+    }
+    for (int x = 0; x < labels.width(); ++x) {
+        bool seen = false;
+        for (int y = 0; y < labels.height(); ++y) seen = seen || labels(x, y) == 4;
+        columns += seen;
+    }
+    CHECK(rows > 60);     // of 68, at about one pixel to a unit
+    CHECK(columns > 105); // of 119
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// A picture of a mask to the mask, however it says what the figure is.
+#include "pipeline/given_mask.hpp"
+
+#include <algorithm>
+
+#include "core/file.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr int inside = 128;           // least value of the figure
+constexpr double white_border = 0.98; // of the border of an inverted mask, …
+constexpr double least_figure = 0.01; // … in which so much of the picture is black
+
+// Of a picture whose colours are all one: what is opaque, when something else is not.
+Mask opaque_part(const RgbaImage& picture) {
+    Mask mask(picture.width(), picture.height());
+    std::transform(picture.begin(), picture.end(), mask.begin(),
+                   [](Rgba8 p) -> std::uint8_t { return is_opaque(p); });
+    if (std::count(mask.begin(), mask.end(), 1) == std::ssize(mask)) std::fill(mask.begin(), mask.end(), 0);
+    return mask;
+}
+
+bool is_inverted(const Mask& mask) {
+    long border = 0, white = 0;
+    for (int y = 0; y < mask.height(); ++y)
+        for (int x = 0; x < mask.width(); ++x) {
+            if (x > 0 && y > 0 && x + 1 < mask.width() && y + 1 < mask.height()) continue;
+            ++border;
+            white += mask(x, y);
+        }
+    const auto black = std::count(mask.begin(), mask.end(), 0);
+    return static_cast<double>(white) >= white_border * static_cast<double>(border) &&
+           static_cast<double>(black) >= least_figure * static_cast<double>(mask.size());
+}
+
+} // namespace
+
+GivenMask load_given_mask(const std::filesystem::path& file, int rotate) {
+    const std::vector<unsigned char> bytes = read_file(file);
+    const GreyImage grey = turned(decode_grey(bytes, file.string()), rotate);
+    const RgbaImage picture = turned(decode_rgba(bytes, file.string()), rotate);
+    GivenMask given{Mask(grey.width(), grey.height()), ""};
+    std::transform(grey.begin(), grey.end(), picture.begin(), given.mask.begin(),
+                   [](std::uint8_t value, Rgba8 p) -> std::uint8_t { return value * p.a >= inside * 255; });
+    if (std::count(given.mask.begin(), given.mask.end(), 1) == 0) given.mask = opaque_part(picture);
+    if (is_inverted(given.mask)) {
+        for (std::uint8_t& pixel : given.mask) pixel = !pixel;
+        given.remark = file.string() + ": is white around a black figure; the black is taken for the figure";
+    }
+    return given;
+}
+
+} // namespace pantin
