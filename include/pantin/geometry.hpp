@@ -83,10 +83,12 @@ struct SimplePolygonOptions {
 struct SimplePolygon {
     std::vector<Point2d> corners; // interior on the left where y points up
     int cut = 0;                  // crossings that were cut off, each with the smaller of its two loops
+    int uncrossed = 0;            // crossings of a thin strip, whose sides were exchanged
 };
 // Closes the stroke (points in any unit, the result in the same), samples it evenly, simplifies it, cuts
-// crossings. Error(input) for a coordinate that is not a number and for a stroke without area. Ma et al.
-// 2021, 3.1, "Simple polygon acquisition".
+// crossings off, or uncrosses them where cutting would take a piece of a thin strip's length. Error(input)
+// for a coordinate that is not a number and for a stroke without area. Ma et al. 2021, 3.1, "Simple polygon
+// acquisition".
 SimplePolygon simple_polygon(const std::vector<Point2d>& stroke, const SimplePolygonOptions& options = {});
 
 } // namespace pantin

@@ -12,6 +12,10 @@ namespace pantin {
 namespace {
 
 constexpr double no_area = 1e-9; // of the diagonal squared
+// A strip: its area, of the diagonal squared, and the share of its diagonal that cutting a loop off must
+// leave.
+constexpr int most_uncrossed = 1000; // rounding could undo what it did
+constexpr double thin = 0.02, least_left = 0.95;
 
 [[noreturn]] void fail(const char* what) { throw Error(ErrorKind::input, std::string("stroke: ") + what); }
 
@@ -24,8 +28,16 @@ double crossing(Point2d a, Point2d b, Point2d c, Point2d d) {
     return s >= 0 && s <= 1 && t >= 0 && t <= 1 ? s : -1;
 }
 
-// Cuts the first crossing of two edges; of the two loops the larger stays. False when there is none.
-bool cut_crossing(std::vector<Point2d>& loop) {
+// A strip that crosses itself is still one strip: a loop cut off would be a piece of its length. Its sides
+// are exchanged from there on instead (the 2-opt move of Croes 1958), which takes the crossing out and makes
+// it shorter, so that it ends.
+bool is_strip(const std::vector<Point2d>& loop, const std::vector<Point2d>& larger, double area) {
+    const double diagonal = diagonal_of(loop);
+    return area < thin * diagonal * diagonal && diagonal_of(larger) < least_left * diagonal;
+}
+
+// Takes the first crossing of two edges out: of the two loops the larger stays. False when there is none.
+bool cut_crossing(std::vector<Point2d>& loop, SimplePolygon& polygon) {
     const std::size_t n = loop.size();
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t k = i + 2; k < n; ++k) {
@@ -36,7 +48,16 @@ bool cut_crossing(std::vector<Point2d>& loop) {
             std::vector<Point2d> inner = {at}, outer = {at};
             for (std::size_t j = i + 1; j <= k; ++j) inner.push_back(loop[j]);
             for (std::size_t j = k + 1; j < n + i + 1; ++j) outer.push_back(loop[j % n]);
-            loop = std::abs(area_of(inner)) > std::abs(area_of(outer)) ? std::move(inner) : std::move(outer);
+            const double inside = std::abs(area_of(inner)), outside = std::abs(area_of(outer));
+            std::vector<Point2d>& larger = inside > outside ? inner : outer;
+            if (polygon.uncrossed < most_uncrossed && is_strip(loop, larger, inside + outside)) {
+                std::reverse(loop.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                             loop.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+                ++polygon.uncrossed;
+            } else {
+                loop = std::move(larger);
+                ++polygon.cut;
+            }
             return true;
         }
     return false;
@@ -71,7 +92,8 @@ SimplePolygon simple_polygon(const std::vector<Point2d>& stroke, const SimplePol
     loop.pop_back();
     loop = simplified(loop, options.tolerance * diagonal);
     SimplePolygon polygon;
-    while (loop.size() > 3 && cut_crossing(loop)) ++polygon.cut;
+    while (loop.size() > 3 && cut_crossing(loop, polygon)) {
+    }
     const double area = loop.size() < 3 ? 0 : area_of(loop);
     if (std::abs(area) <= no_area * diagonal * diagonal) fail("has no area");
     if (area < 0) std::reverse(loop.begin(), loop.end());

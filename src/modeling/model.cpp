@@ -129,6 +129,9 @@ void Model::add_part(const PartStroke& part) {
         repairs_.push_back("part '" + part.name + "': the stroke crosses itself, " +
                            std::to_string(d->flat.outline.cut) +
                            (d->flat.outline.cut == 1 ? " loop" : " loops") + " cut off");
+    if (d->flat.outline.uncrossed > 0)
+        repairs_.push_back("part '" + part.name +
+                           "': the strip crosses itself, its sides were exchanged there");
     drawn_.push_back(d);
     update();
 }

@@ -141,6 +141,31 @@ TEST_CASE("crossings of a stroke are cut off with the smaller loop, and counted"
     }
 }
 
+TEST_CASE("a thin strip that crosses itself keeps its length") {
+    Random random(43);
+    for (int round = 0; round < 60; ++round) {
+        // A leg of a hundred by one, whose sides change places `round % 3 + 1` times on the way.
+        const double angle = 2 * math::pi * random.uniform(), c = math::cos(angle), s = math::sin(angle);
+        const int twists = 1 + round % 3;
+        Line there, back;
+        for (int i = 0; i <= twists + 1; ++i) {
+            const double x = 100.0 * i / (twists + 1), y = i % 2 ? 0.5 : -0.5;
+            there.push_back({c * x - s * y, s * x + c * y});
+            back.insert(back.begin(), {c * x + s * y, s * x - c * y});
+        }
+        Line stroke = there;
+        stroke.insert(stroke.end(), back.begin(), back.end());
+        const SimplePolygon polygon = simple_polygon(stroke);
+        CHECK(polygon.cut == 0);
+        CHECK(polygon.uncrossed >= 1);
+        CHECK(is_simple(polygon.corners));
+        double far = 0;
+        for (const Point2d& p : polygon.corners)
+            for (const Point2d& q : polygon.corners) far = std::max(far, distance(p, q));
+        CHECK(far == Approx(100).epsilon(0.02));
+    }
+}
+
 TEST_CASE("BoundedDP keeps what Douglas and Peucker keep, and where the shape varies") {
     Cylinder cylinder;
     for (int i = 0; i <= 40; ++i) {
