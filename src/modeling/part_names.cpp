@@ -88,11 +88,16 @@ Label label_of_word(std::string_view word) {
 
 } // namespace
 
-Label label_of_part(const std::string& name) {
+Label known_label(const std::string& name) {
     // In a compound the last word says what it is: a "head feather hand" is a hand.
     Label label = Label::background;
     for (const std::string& word : words_of(name))
         if (const Label own = label_of_word(word); own != Label::background) label = own;
+    return label;
+}
+
+Label label_of_part(const std::string& name) {
+    const Label label = known_label(name);
     return label == Label::background ? Label::limb : label;
 }
 
