@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "core/plural.hpp"
 #include "image/label_map.hpp"
@@ -21,12 +22,16 @@ constexpr int picture_side = 1000;      // pixels of the drawing that the networ
 constexpr double margin = 0.06;         // of its longer side, on each side
 constexpr double found_share = 0.7;     // of what is drawn, that a detected character has at least
 constexpr std::size_t most_parts = 60;  // of a drawing whose shapes may be its parts
-constexpr double pure_share = 0.7;      // of a part's pixels have one label
-constexpr double small_part = 0.01;     // of the silhouette: a part whose purity does not matter
+// Least share of a part's pixels with its label: of parts larger than this share of the silhouette, …
+struct Purity {
+    double size = 0, least = 0;
+};
+constexpr std::array<Purity, 2> purities = {{{0.2, 0.65}, {0.04, 0.5}}};
+constexpr double agreed_share = 0.75; // … and of all parts together
 constexpr double inside_share = 0.97;   // of a shape lies on one below it that is …
 constexpr double inside_size = 0.35;    // … so much larger: it decorates that one
-constexpr double covered_share = 0.9;   // of the silhouette that parts have to cover
-constexpr double large_part = 0.25;     // of the silhouette: an impure part that is cut, whatever others are named
+constexpr double covered_share = 0.8;   // of the silhouette that parts have to cover
+constexpr double line_share = 0.5;      // of a hole's border is lines when the hole is the inside of an outline
 
 using Parts = std::vector<const PartStroke*>;
 
@@ -122,6 +127,34 @@ DetectedCharacter character_in(const PagePicture& page, const Mask& opaque, Cont
     return character_of(page.picture, page.ink, fill_holes(opaque), options);
 }
 
+// The inside of outlines that are drawn as lines alone is white, as it is on paper; a hole in an area stays one.
+void fill_outlines(RgbaImage& figure, const Painting& painting, const CanvasView& view) {
+    Painting kinds = painting;
+    for (PaintedShape& shape : kinds) shape.colour = shape.line ? Rgb8{255, 255, 255} : Rgb8{0, 0, 0};
+    const RgbaImage lines = paint(kinds, view, figure.width(), figure.height());
+    const Components regions = background_components(opaque_pixels(figure));
+    std::vector<long> border(regions.list.size() + 1, 0), lined = border;
+    constexpr int dx[] = {1, 0, -1, 0}, dy[] = {0, 1, 0, -1};
+    for (int y = 0; y < figure.height(); ++y)
+        for (int x = 0; x < figure.width(); ++x)
+            for (int k = 0; k < 4; ++k) {
+                const int id = regions.ids(x, y), u = x + dx[k], v = y + dy[k];
+                if (id == 0 || !figure.contains(u, v) || regions.ids(u, v) == id) continue;
+                ++border[static_cast<std::size_t>(id)];
+                lined[static_cast<std::size_t>(id)] += lines(u, v).r >= 128;
+            }
+    for (int y = 0; y < figure.height(); ++y)
+        for (int x = 0; x < figure.width(); ++x) {
+            const int id = regions.ids(x, y);
+            if (id == 0 || touches_border(regions.list[static_cast<std::size_t>(id) - 1], figure.width(),
+                                          figure.height()))
+                continue;
+            const auto at = static_cast<std::size_t>(id);
+            if (static_cast<double>(lined[at]) >= line_share * static_cast<double>(border[at]))
+                figure(x, y) = {255, 255, 255, 255};
+        }
+}
+
 // What the network saw, and where.
 struct Look {
     ModelPicture picture;
@@ -129,7 +162,8 @@ struct Look {
 };
 Look look_at(const Painting& painting, const std::string& name, Context& context) {
     const Frame2 frame = frame_for(painting, name);
-    const RgbaImage figure = paint(painting, frame.view, frame.width, frame.height);
+    RgbaImage figure = paint(painting, frame.view, frame.width, frame.height);
+    fill_outlines(figure, painting, frame.view);
     const Mask opaque = opaque_pixels(figure);
     if (count_of_pixels(opaque) == 0)
         throw Error(ErrorKind::input, name + ": there is nothing to be seen");
@@ -211,25 +245,62 @@ bool in_one_piece(const Strokes& strokes, const ModelOptions& options) {
     }
 }
 
+// Whether the network sees one part where one shape is.
+bool is_pure(const Share& share, double silhouette) {
+    const double size = static_cast<double>(share.size) / silhouette;
+    return std::all_of(purities.begin(), purities.end(),
+                       [&](const Purity& p) { return size < p.size || share.purity >= p.least; });
+}
+
+struct KeptPart {
+    PartStroke part;
+    const Share* share = nullptr;
+};
+
+// The trunk first, larger ones before smaller ones; then always a part that meets those before it, since a part
+// hangs on an earlier one: a leg before its foot, though the foot may be larger or was drawn first.
+std::vector<KeptPart> in_modelling_order(std::vector<KeptPart> parts, Mask reached) {
+    const auto rank = [](const KeptPart& p) {
+        const Label label = told(p.part);
+        return std::tuple(role_of(label) != PartRole::trunk, label, -p.share->size);
+    };
+    std::stable_sort(parts.begin(), parts.end(),
+                     [&](const KeptPart& a, const KeptPart& b) { return rank(a) < rank(b); });
+    std::fill(reached.begin(), reached.end(), std::uint8_t{0});
+    std::vector<KeptPart> ordered;
+    while (!parts.empty()) {
+        const auto meets = [&](const KeptPart& p) {
+            for (std::size_t k = 0; k < reached.size(); ++k)
+                if (reached.data()[k] && p.share->area.data()[k]) return true;
+            return false;
+        };
+        auto next = std::find_if(parts.begin(), parts.end(), meets);
+        if (next == parts.end()) next = parts.begin();
+        for (std::size_t k = 0; k < reached.size(); ++k) reached.data()[k] |= next->share->area.data()[k];
+        ordered.push_back(std::move(*next));
+        parts.erase(next);
+    }
+    return ordered;
+}
+
 // The strokes with a label for each, when the shapes are parts; else nothing.
 std::optional<Strokes> shapes_as_parts(const Strokes& strokes, const Look& look, const ModelOptions& options) {
     const Parts parts = parts_of(strokes);
     if (parts.empty() || parts.size() > most_parts) return {};
     std::vector<Share> shares = shares_of(parts, look);
     find_decoration(shares, parts);
-    const bool any_told = std::any_of(parts.begin(), parts.end(), [](const PartStroke* p) {
-        return told(*p) != Label::background;
-    });
-    const auto silhouette = static_cast<double>(
-        look.picture.labels.size() - static_cast<std::size_t>(std::count(look.picture.labels.begin(),
-                                                                         look.picture.labels.end(), 0)));
+    const LabelMap& seen = look.picture.labels;
+    const auto silhouette =
+        static_cast<double>(static_cast<long>(seen.size()) - std::count(seen.begin(), seen.end(), 0));
     Strokes result;
     result.origin = strokes.origin;
     result.repairs = strokes.repairs;
     result.painting = strokes.painting;
-    Mask covered(look.picture.labels.width(), look.picture.labels.height());
+    Mask covered(seen.width(), seen.height());
     std::set<Label> labels;
+    std::vector<KeptPart> kept;
     int others = 0;
+    double agreed = 0, visible = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Share& share = shares[i];
         if (share.decoration) {
@@ -237,21 +308,22 @@ std::optional<Strokes> shapes_as_parts(const Strokes& strokes, const Look& look,
             continue;
         }
         PartStroke part = *parts[i];
-        if (const Label label = told(part); label == Label::background) {
-            const bool large = static_cast<double>(share.size) >= (any_told ? large_part : small_part) * silhouette;
-            if (large && share.purity < pure_share) return {};
+        if (told(part) == Label::background) {
             if (share.label == Label::background) continue; // hidden
+            if (!is_pure(share, silhouette)) return {};
+            agreed += share.purity * static_cast<double>(share.visible);
+            visible += static_cast<double>(share.visible);
             part.label = share.label;
         }
-        const Label label = told(part);
-        labels.insert(label);
-        others += role_of(label) != PartRole::trunk;
+        labels.insert(told(part));
+        others += role_of(told(part)) != PartRole::trunk;
         for (std::size_t k = 0; k < covered.size(); ++k) covered.data()[k] |= share.area.data()[k];
-        result.calls.emplace_back(std::move(part));
+        kept.push_back({std::move(part), &share});
     }
-    if (any_told && labels.size() > 1) return result;
+    if (agreed < agreed_share * visible || !labels.contains(Label::body) || others < 2) return {};
     if (static_cast<double>(count_of_pixels(covered)) < covered_share * silhouette) return {};
-    if (!labels.contains(Label::body) || others < 2 || !in_one_piece(result, options)) return {};
+    for (KeptPart& k : in_modelling_order(std::move(kept), covered)) result.calls.emplace_back(std::move(k.part));
+    if (!in_one_piece(result, options)) return {};
     return result;
 }
 
