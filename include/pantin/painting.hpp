@@ -26,8 +26,8 @@ struct CanvasView {
     Point2d pixel(Point2d p) const { return offset + scale * p; }
 };
 
-// The shapes over a transparent ground; a pixel is covered as far as four lines through it are. Straight alpha.
-// width, height: pixels, ≥ 1. No error. Porter & Duff 1984 (over).
+// The shapes over a transparent ground; a pixel is covered as far as four lines through it are. Straight
+// alpha. width, height: pixels, ≥ 1. No error. Porter & Duff 1984 (over).
 RgbaImage paint(const Painting& painting, const CanvasView& view, int width, int height);
 
 } // namespace pantin

@@ -96,8 +96,8 @@ std::string strokes_to_json(const Strokes& strokes);
 Strokes with_calls(Strokes strokes, const std::string& text, const std::string& file);
 // Every shape of an SVG that is painted is a part, in painting order, and so is each outline of a path
 // (docs/modeling.md, "SVG strokes"); canvas units are the SVG's user units. What is left out is a line of
-// `repairs`. Error(input) names `file` and what is wrong; Error(usage) in a build without pugixml. Own, by SVG
-// 2 (W3C 2018).
+// `repairs`. Error(input) names `file` and what is wrong; Error(usage) in a build without pugixml. Own, by
+// SVG 2 (W3C 2018).
 Strokes strokes_from_svg(const std::string& text, const std::string& file);
 // Whether this build has strokes_from_svg(). No error. Own.
 bool svg_available();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Subpaths and the fill rule in, outlines of parts and holes out (SVG 2, 13.4.2). A subpath's inside is filled
-// by its own turn and those of the subpaths around it.
+// Subpaths and the fill rule in, outlines of parts and holes out (SVG 2, 13.4.2). A subpath's inside is
+// filled by its own turn and those of the subpaths around it.
 #include "modeling/svg_outlines.hpp"
 
 #include <algorithm>
@@ -104,8 +104,8 @@ FilledOutlines filled_outlines(const std::vector<Subpath>& subpaths, FillRule ru
             ++(inside ? result.inner : result.holes);
         }
     }
-    result.specks = std::erase_if(result.parts,
-                                  [&](std::size_t i) { return std::abs(areas[i]) < speck * largest; });
+    result.specks =
+        std::erase_if(result.parts, [&](std::size_t i) { return std::abs(areas[i]) < speck * largest; });
     return result;
 }
 

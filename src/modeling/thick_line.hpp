@@ -17,8 +17,8 @@ struct LineStyle {
     double miter_limit = 4; // of a miter's length, in widths; a longer one is cut off
 };
 
-// The border of an open line as one closed outline; it may cross itself where the line bends more tightly than
-// it is wide. Empty where the line has no length and no cap to show. No error. SVG 2, 13.5.
+// The border of an open line as one closed outline; it may cross itself where the line bends more tightly
+// than it is wide. Empty where the line has no length and no cap to show. No error. SVG 2, 13.5.
 std::vector<Point2d> thick_line(const std::vector<Point2d>& way, const LineStyle& style);
 // The same area, of a closed line too, as convex pieces that overlap, all of one orientation. No error.
 std::vector<std::vector<Point2d>> line_pieces(const std::vector<Point2d>& way, bool closed,

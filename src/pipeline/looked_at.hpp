@@ -23,10 +23,11 @@ struct LabelledStrokes {
 // all of one name's label. No error. Own.
 bool needs_a_look(const Strokes& strokes);
 
-// The labels that the part network sees; those that the strokes have, and known names, overrule it. Shapes that
-// are parts keep their strokes; where they are not (one outline of a whole animal, a drawing of many patches)
-// the silhouette is cut by its labels, as a scanned drawing's is. Lines about it in `repairs`. `name` stands in
-// messages. Error(input) when there is nothing to be seen; errors of the network. Own; the network: thesis 4.3.
+// The labels that the part network sees; those that the strokes have, and known names, overrule it. Shapes
+// that are parts keep their strokes; where they are not (one outline of a whole animal, a drawing of many
+// patches) the silhouette is cut by its labels, as a scanned drawing's is. Lines about it in `repairs`.
+// `name` stands in messages. Error(input) when there is nothing to be seen; errors of the network. Own; the
+// network: thesis 4.3.
 LabelledStrokes labelled_by_look(const Strokes& strokes, const std::string& name, Context& context);
 
 } // namespace pantin

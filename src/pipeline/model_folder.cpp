@@ -62,7 +62,8 @@ RgbImage painted(const Strokes& strokes, const ModelView& view) {
     constexpr int finer = 2;
     CanvasView canvas;
     canvas.scale = finer * view.scale;
-    canvas.offset = finer * (view.offset - view.scale * strokes.origin + Point2d{0.5, 0.5}) - Point2d{0.5, 0.5};
+    canvas.offset =
+        finer * (view.offset - view.scale * strokes.origin + Point2d{0.5, 0.5}) - Point2d{0.5, 0.5};
     const RgbaImage figure = paint(strokes.painting, canvas, finer * view.width, finer * view.height);
     RgbImage drawing(figure.width(), figure.height(), Rgb8{255, 255, 255});
     for (std::size_t i = 0; i < drawing.size(); ++i)

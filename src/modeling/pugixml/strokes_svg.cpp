@@ -10,45 +10,24 @@
 #include <utility>
 
 #include "core/plural.hpp"
-#include "geometry/extent.hpp"
 #include "modeling/pugixml/svg_geometry.hpp"
 #include "modeling/pugixml/svg_paint.hpp"
 #include "modeling/pugixml/svg_parts.hpp"
+#include "modeling/pugixml/svg_shapes.hpp"
 #include "modeling/pugixml/svg_style.hpp"
 #include "modeling/pugixml/svg_text.hpp"
-#include "modeling/svg_outlines.hpp"
-#include "modeling/thick_line.hpp"
 #include "pantin/error.hpp"
 
 namespace pantin {
 namespace svg {
 namespace {
 
-constexpr int deepest = 200;                // groups in groups
+constexpr int deepest = 200;                   // groups in groups
 constexpr std::size_t most_elements = 100'000; // that are met, those of `use` each time
-constexpr double same_place = 1e-9; // share of the diagonal: a path that ends so near its beginning is closed
-constexpr std::size_t most_shown = 40; // characters of a value in a message
-// An open line is an outline with a gap when the gap is at most this share of the line, and it encloses
-// this many times the line's own area.
-constexpr double gap_share = 0.3, enclosed_areas = 2;
+constexpr std::size_t most_shown = 40;         // characters of a value in a message
 
 [[noreturn]] void fail(const std::string& where, const std::string& fact) {
     throw Error(ErrorKind::input, where + ": " + fact);
-}
-
-std::string hex_of(Rgb8 colour) {
-    std::string text = "#";
-    for (const int byte : {colour.r, colour.g, colour.b}) {
-        text += "0123456789abcdef"[byte / 16];
-        text += "0123456789abcdef"[byte % 16];
-    }
-    return text;
-}
-
-double way_length(const std::vector<Point2d>& way) {
-    double sum = 0;
-    for (std::size_t i = 1; i < way.size(); ++i) sum += distance(way[i - 1], way[i]);
-    return sum;
 }
 
 // What an element has from those around it.
@@ -183,13 +162,13 @@ private:
         const auto styled = style.find("transform");
         const bool from_style = styled != style.end();
         if (from_style || !own.empty())
-            inner.transform = moderate(outer.transform * transform_of(from_style ? styled->second : own,
-                                                                      from_style, element, where),
-                                       where);
+            inner.transform = moderate(
+                outer.transform * transform_of(from_style ? styled->second : own, from_style, element, where),
+                where);
         return inner;
     }
-    // CSS writes units: "translate(3px, 4px) rotate(30deg)". What goes beyond the attribute's language is said
-    // and not followed.
+    // CSS writes units: "translate(3px, 4px) rotate(30deg)". What goes beyond the attribute's language is
+    // said and not followed.
     Affine transform_of(std::string text, bool from_style, const std::string& element,
                         const std::string& where) {
         if (!from_style) return svg_transform(text, where + ": transform");
@@ -238,8 +217,7 @@ private:
 
     // The first child that needs nothing special.
     void visit_switch(pugi::xml_node node, const Surroundings& outer) {
-        const std::optional<Surroundings> inner =
-            enter(node, outer, described(node, attribute(node, "id")));
+        const std::optional<Surroundings> inner = enter(node, outer, described(node, attribute(node, "id")));
         if (!inner) return;
         for (const pugi::xml_node child : node.children()) {
             if (child.type() != pugi::node_element || kind_of(child) == "foreignObject") continue;
@@ -263,11 +241,16 @@ private:
             return leave_out(element, "refers to '" + id.substr(0, most_shown) + "', which is not there");
         const pugi::xml_node target = found->second;
         bool inside = std::find(inner->uses.begin(), inner->uses.end(), id) != inner->uses.end();
-        for (pugi::xml_node around = node; around; around = around.parent()) inside = inside || around == target;
+        for (pugi::xml_node around = node; around; around = around.parent())
+            inside = inside || around == target;
         if (inside) return leave_out(element, "refers to itself");
         inner->uses.push_back(id);
         if (const Label label = told_label(node); label != Label::background) inner->label = label;
-        const Affine shift = {1, 0, 0, 1, svg::length_of(node, "x", outer.viewport.width, where),
+        const Affine shift = {1,
+                              0,
+                              0,
+                              1,
+                              svg::length_of(node, "x", outer.viewport.width, where),
                               svg::length_of(node, "y", outer.viewport.height, where)};
         inner->transform = moderate(inner->transform * shift, where);
         inner->use = is_shape(target) ? node : pugi::xml_node();
@@ -318,137 +301,19 @@ private:
         shape.name = name;
         shape.label = told_label(node);
         if (shape.label == Label::background) shape.label = own->label;
-        const Paint fill = own->look.fill(sheets_, identified_), stroke = own->look.stroke(sheets_, identified_);
+        const Paint fill = own->look.fill(sheets_, identified_),
+                    stroke = own->look.stroke(sheets_, identified_);
         if (!own->look.visible()) return leave_out(element, "not visible");
         if (!fill.seen() && !stroke.seen()) return leave_out(element, "not painted");
-        std::vector<Subpath> subpaths = subpaths_of(node, own->transform, own->viewport, where);
-        tidy(subpaths);
-        if (subpaths.empty()) return leave_out(element, "empty");
-        read_attributes(node, where, shape.attributes);
-        if (by_use) read_attributes(outer.use, where, shape.attributes);
-        colour(shape, fill, stroke);
-        std::vector<std::vector<Point2d>> thin;
-        if (fill.seen()) add_filled(shape, subpaths, fill, own->look.fill_rule());
-        if (stroke.seen()) add_line(shape, node, subpaths, stroke, *own, where, thin);
-        if (shape.outlines.empty() && thin.empty())
-            leave_out(element, "has no area");
-        else if (shape.outlines.empty())
-            leave_out(element, "a thin line");
+        const ShapeOutlines made =
+            add_outlines(shape, node, {own->transform, own->viewport, own->look, fill, stroke, where});
+        if (made.empty) return leave_out(element, "empty");
+        add_attributes(node, where, shape.attributes);
+        if (by_use) add_attributes(outer.use, where, shape.attributes);
+        if (shape.outlines.empty()) leave_out(element, made.thin.empty() ? "has no area" : "a thin line");
         if (shape.painting.empty()) return;
         shapes_.push_back(std::move(shape));
-        thin_.push_back(std::move(thin));
-    }
-
-    // Movements of the pen alone go; so does a last point that is the first one again.
-    static void tidy(std::vector<Subpath>& subpaths) {
-        const auto is_dot = [](const Subpath& s) {
-            return std::all_of(s.points.begin(), s.points.end(), [&](Point2d p) { return p == s.points[0]; });
-        };
-        std::erase_if(subpaths, is_dot);
-        for (Subpath& s : subpaths) {
-            if (distance(s.points.front(), s.points.back()) > same_place * diagonal_of(s.points)) continue;
-            s.points.pop_back();
-            s.closed = true;
-        }
-    }
-
-    static void colour(GatheredShape& shape, const Paint& fill, const Paint& stroke) {
-        for (const Paint& paint : {fill, stroke}) {
-            if (!paint.seen() || !paint.given) continue;
-            if (paint.colour) {
-                shape.colour = hex_of(*paint.colour);
-                return;
-            }
-            shape.notes.push_back("'" + paint.odd.substr(0, most_shown) + "' is no plain colour, left out");
-        }
-    }
-
-    static PaintedShape painted(const Paint& paint) {
-        PaintedShape shape;
-        shape.colour = paint.colour.value_or(Rgb8{128, 128, 128});
-        shape.opacity = paint.opacity;
-        return shape;
-    }
-
-    // Each outline that has something filled inside and nothing outside is a part.
-    void add_filled(GatheredShape& shape, const std::vector<Subpath>& subpaths, const Paint& fill, FillRule rule) {
-        const FilledOutlines found = filled_outlines(subpaths, rule);
-        if (found.parts.empty()) return;
-        shape.filled = true;
-        for (const std::size_t i : found.parts) shape.outlines.push_back(subpaths[i].points);
-        const auto note = [&](std::size_t count, const char* what, const char* why) {
-            if (count > 0) shape.notes.push_back(count_of(static_cast<long>(count), what) + " " + why);
-        };
-        note(found.holes, "hole", "left out, a part has none");
-        note(found.specks, "outline", "left out, too small beside the others");
-        if (std::any_of(found.parts.begin(), found.parts.end(),
-                        [&](std::size_t i) { return !subpaths[i].closed; }))
-            shape.notes.emplace_back("the open path was closed");
-        PaintedShape& area = shape.painting.emplace_back(painted(fill));
-        area.even_odd = rule == FillRule::even_odd;
-        for (const Subpath& subpath : subpaths) area.outlines.push_back(subpath.points);
-    }
-
-    // The outline as it is painted, and where nothing is filled also the parts that it makes: what it encloses,
-    // or the thick line itself. A line without a width of its own is a mark, and as such `thin`.
-    void add_line(GatheredShape& shape, pugi::xml_node node, const std::vector<Subpath>& seen, const Paint& stroke,
-                  const Surroundings& own, const std::string& where,
-                  std::vector<std::vector<Point2d>>& thin) const {
-        const LineStyle style = own.look.line(own.viewport, where);
-        if (style.width == 0) return;
-        // A stroke is as wide as its own units say, and is moved then.
-        const bool scaled = own.look.scales_lines();
-        std::vector<Subpath> subpaths = scaled ? subpaths_of(node, {}, own.viewport, where) : seen;
-        if (scaled) tidy(subpaths);
-        const auto moved = [&](std::vector<Point2d> points) {
-            if (scaled)
-                for (Point2d& p : points) p = own.transform * p;
-            return points;
-        };
-        PaintedShape& line = shape.painting.emplace_back(painted(stroke));
-        line.line = true;
-        for (const Subpath& s : subpaths)
-            for (std::vector<Point2d>& piece : line_pieces(s.points, s.closed, style))
-                line.outlines.push_back(moved(std::move(piece)));
-        // Pieces have one orientation, which a mirror turns round for all of them.
-        if (shape.filled) return;
-        const bool wide = own.look.width_given();
-        for (const Subpath& s : subpaths) {
-            const bool area = has_area(s.points);
-            if (area && (s.closed || encloses(s.points, style.width))) {
-                shape.outlines.push_back(moved(s.points));
-                if (!s.closed && shape.notes.empty()) shape.notes.emplace_back("the open path was closed");
-                continue;
-            }
-            const std::vector<Point2d> outline = moved(thick_line(s.points, style));
-            if (has_area(outline)) (wide ? shape.outlines : thin).push_back(outline);
-        }
-    }
-    static bool encloses(const std::vector<Point2d>& way, double width) {
-        const double length = way_length(way);
-        return distance(way.front(), way.back()) <= gap_share * length &&
-               std::abs(area_of(way)) >= enclosed_areas * length * width;
-    }
-
-    static void read_attributes(pugi::xml_node node, const std::string& where, Json& part) {
-        const auto number = [&](const char* name, const char* key) {
-            if (!node.attribute(name)) return;
-            const std::vector<double> numbers =
-                svg_numbers(node.attribute(name).value(), where + ": " + name);
-            if (numbers.size() != 1) fail(where, std::string(name) + " must be a number");
-            part[key] = numbers[0];
-        };
-        const auto text = [&](const char* name, const char* key) {
-            if (node.attribute(name)) part[key] = attribute(node, name);
-        };
-        number("data-depth", "depth");
-        text("data-view", "view");
-        text("data-symmetric", "symmetric");
-        if (part.contains("symmetric") && part["symmetric"] == "true") part["symmetric"] = true;
-        if (part.contains("symmetric") && part["symmetric"] == "false") part["symmetric"] = false;
-        text("data-parent", "parent");
-        number("data-height", "height");
-        text("data-label", "label");
+        thin_.push_back(made.thin);
     }
 };
 

@@ -53,8 +53,8 @@ std::string path_of_rect(pugi::xml_node node, const Viewport& port, const std::s
 std::string path_of_ellipse(pugi::xml_node node, const Viewport& port, const std::string& where) {
     const bool circle = kind_of(node) == "circle";
     const double x = length_of(node, "cx", port.width, where), y = length_of(node, "cy", port.height, where);
-    double rx = circle ? extent_of(node, "r", port.diagonal(), where)
-                       : extent_of(node, "rx", port.width, where, -1);
+    double rx =
+        circle ? extent_of(node, "r", port.diagonal(), where) : extent_of(node, "rx", port.width, where, -1);
     double ry = circle ? rx : extent_of(node, "ry", port.height, where, -1);
     if (rx < 0) rx = std::max(ry, 0.0);
     if (ry < 0) ry = rx;
@@ -80,7 +80,8 @@ std::vector<Subpath> subpaths_of_points(pugi::xml_node node, const Affine& trans
 
 std::vector<Subpath> subpaths_of_line(pugi::xml_node node, const Affine& transform, const Viewport& port,
                                       const std::string& where) {
-    const Point2d from = {length_of(node, "x1", port.width, where), length_of(node, "y1", port.height, where)};
+    const Point2d from = {length_of(node, "x1", port.width, where),
+                          length_of(node, "y1", port.height, where)};
     const Point2d to = {length_of(node, "x2", port.width, where), length_of(node, "y2", port.height, where)};
     return {{{transform * from, transform * to}, false}};
 }

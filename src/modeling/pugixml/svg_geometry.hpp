@@ -24,8 +24,8 @@ double length_of(pugi::xml_node node, const char* name, double whole, const std:
 // The same, and not negative.
 double extent_of(pugi::xml_node node, const char* name, double whole, const std::string& where,
                  double missing = 0);
-// The subpaths of a path, polygon, polyline, rect, circle, ellipse or line, moved by the transform. Empty when
-// it has no extent. Error(input): `where` and the fact.
+// The subpaths of a path, polygon, polyline, rect, circle, ellipse or line, moved by the transform. Empty
+// when it has no extent. Error(input): `where` and the fact.
 std::vector<Subpath> subpaths_of(pugi::xml_node node, const Affine& transform, const Viewport& viewport,
                                  const std::string& where);
 

@@ -86,7 +86,8 @@ std::string Look::value(const std::string& name, const std::string& missing) con
         if (variable != values_.end())
             text = variable->second;
         else
-            text = comma + 1 < text.size() ? one_line(text.substr(comma + 1, text.size() - comma - 2)) : missing;
+            text =
+                comma + 1 < text.size() ? one_line(text.substr(comma + 1, text.size() - comma - 2)) : missing;
     }
     return text;
 }

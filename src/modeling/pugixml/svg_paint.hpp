@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an element is painted with: inherited properties, colours, gradients, visibility (SVG 2, chapters 6, 13
-// and 14).
+// What an element is painted with: inherited properties, colours, gradients, visibility (SVG 2, chapters 6,
+// 13 and 14).
 #pragma once
 
 #include <map>

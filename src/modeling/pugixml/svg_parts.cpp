@@ -95,8 +95,7 @@ private:
                 ++i;
             else
                 leave_out(i, "outside the page");
-        while (shapes_.size() > 1 && is_ground(page, slack))
-            leave_out(0, "a ground that covers the page");
+        while (shapes_.size() > 1 && is_ground(page, slack)) leave_out(0, "a ground that covers the page");
     }
     // Whether the first shape is a sheet or a disc as large as the page, which holds all others.
     bool is_ground(const Extent& page, double slack) const {
@@ -187,9 +186,9 @@ private:
         std::string name;
         do name = asked + "-" + std::to_string(++names_[asked]);
         while (!names_.try_emplace(name, 1).second);
-        repairs_.push_back("part '" + name + "': " +
-                           (again ? "one more outline of '" + asked + "'"
-                                  : "there was a part '" + asked + "' before it"));
+        repairs_.push_back(
+            "part '" + name + "': " +
+            (again ? "one more outline of '" + asked + "'" : "there was a part '" + asked + "' before it"));
         return name;
     }
 };

@@ -13,15 +13,15 @@
 namespace pantin::svg {
 
 struct GatheredShape {
-    std::string element;                // "path 'tail'", for messages
-    std::string name;                   // asked for; empty: none
-    Label label = Label::background;    // that a class or a group around it tells
-    Json attributes = Json::object();   // keys of strokes.json
+    std::string element;                        // "path 'tail'", for messages
+    std::string name;                           // asked for; empty: none
+    Label label = Label::background;            // that a class or a group around it tells
+    Json attributes = Json::object();           // keys of strokes.json
     std::vector<std::vector<Point2d>> outlines; // of its parts, canvas
     bool filled = false;
-    bool open = false;                  // an outline was closed
-    std::optional<std::string> colour;  // "#rrggbb"
-    std::vector<std::string> notes;     // behind the part's name
+    bool open = false;                 // an outline was closed
+    std::optional<std::string> colour; // "#rrggbb"
+    std::vector<std::string> notes;    // behind the part's name
     Painting painting;
 };
 

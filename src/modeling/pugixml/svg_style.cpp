@@ -12,10 +12,10 @@ namespace pantin::svg {
 namespace {
 
 // The attributes that are properties, too (SVG 2, 6.6), as far as shapes depend on them.
-constexpr auto presentation = std::to_array<const char*>(
-    {"clip-path", "color", "display", "fill", "fill-opacity", "fill-rule", "mask", "opacity", "stroke",
-     "stroke-linecap", "stroke-linejoin", "stroke-miterlimit", "stroke-opacity", "stroke-width",
-     "vector-effect", "visibility"});
+constexpr auto presentation =
+    std::to_array<const char*>({"clip-path", "color", "display", "fill", "fill-opacity", "fill-rule", "mask",
+                                "opacity", "stroke", "stroke-linecap", "stroke-linejoin", "stroke-miterlimit",
+                                "stroke-opacity", "stroke-width", "vector-effect", "visibility"});
 
 constexpr std::size_t longest_selector = 4; // elements; so that no sheet takes for ever
 
@@ -63,9 +63,9 @@ std::vector<StyleSheets::Declaration> StyleSheets::declarations_of(std::string_v
         if (colon == std::string_view::npos) continue;
         const std::string_view value = text.substr(colon + 1);
         const std::size_t mark = value.find('!');
-        declarations.push_back({small(one_line(text.substr(0, colon))), one_line(value.substr(0, mark)),
-                                mark != std::string_view::npos &&
-                                    small(one_line(value.substr(mark + 1))) == "important"});
+        declarations.push_back(
+            {small(one_line(text.substr(0, colon))), one_line(value.substr(0, mark)),
+             mark != std::string_view::npos && small(one_line(value.substr(mark + 1))) == "important"});
     }
     return declarations;
 }
@@ -126,8 +126,8 @@ void StyleSheets::add(std::string_view given) {
         if (open == std::string::npos) break;
         const std::size_t behind = behind_block(css, open);
         const std::string_view whole = css;
-        const std::vector<Declaration> declarations = declarations_of(
-            whole.substr(open + 1, behind - open - (css[behind - 1] == '}' ? 2 : 1)));
+        const std::vector<Declaration> declarations =
+            declarations_of(whole.substr(open + 1, behind - open - (css[behind - 1] == '}' ? 2 : 1)));
         for (std::size_t from = at; from < open;) {
             const std::size_t end = std::min(css.find(',', from), open);
             Rule rule;
@@ -152,8 +152,8 @@ bool StyleSheets::matches(const Simple& simple, pugi::xml_node node) {
     });
 }
 
-// The first `count` of the selector, the last of them by the node itself. A chain of parents is tried from the
-// inside, where the nearest one that fits is taken unless a child is asked for.
+// The first `count` of the selector, the last of them by the node itself. A chain of parents is tried from
+// the inside, where the nearest one that fits is taken unless a child is asked for.
 bool StyleSheets::matches(const std::vector<Simple>& selector, std::size_t count, pugi::xml_node node) {
     const Simple& last = selector[count - 1];
     if (!matches(last, node)) return false;
@@ -175,7 +175,8 @@ Style StyleSheets::style_of(pugi::xml_node node) const {
         style[name] = value;
     };
     for (const char* name : presentation)
-        if (const std::string value = attribute(node, name); !value.empty()) declare(name, value, {false, false, -1});
+        if (const std::string value = attribute(node, name); !value.empty())
+            declare(name, value, {false, false, -1});
     for (const Rule& rule : rules_)
         if (matches(rule.selector, rule.selector.size(), node))
             for (const Declaration& d : rule.declarations)

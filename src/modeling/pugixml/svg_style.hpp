@@ -17,11 +17,11 @@ using Style = std::map<std::string, std::string>;
 
 class StyleSheets {
 public:
-    // Rules of one sheet after those that are there. Selectors: elements, classes, ids, `*`, lists, descendants
-    // and children. Others and at-rules are passed over. No error.
+    // Rules of one sheet after those that are there. Selectors: elements, classes, ids, `*`, lists,
+    // descendants and children. Others and at-rules are passed over. No error.
     void add(std::string_view css);
-    // The declarations that hold for the element itself, by importance, specificity and order; without what it
-    // inherits. No error.
+    // The declarations that hold for the element itself, by importance, specificity and order; without what
+    // it inherits. No error.
     Style style_of(pugi::xml_node node) const;
     // Selectors that were not understood.
     std::size_t passed_over() const { return passed_over_; }

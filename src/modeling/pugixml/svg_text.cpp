@@ -43,8 +43,8 @@ std::string with_entities(const std::string& text) {
         at = mark;
         if (at == text.size()) break;
         const std::size_t end = text.find(';', at);
-        const auto found = end == std::string::npos ? entities.end()
-                                                    : entities.find(text.substr(at + 1, end - at - 1));
+        const auto found =
+            end == std::string::npos ? entities.end() : entities.find(text.substr(at + 1, end - at - 1));
         if (found == entities.end() || out.size() > longest_text) {
             out += text[at++];
             continue;
@@ -117,8 +117,8 @@ void load(pugi::xml_document& document, const std::string& given, const std::str
     const std::size_t at =
         std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)), text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    throw Error(ErrorKind::input, file + ": not valid XML (line " + std::to_string(line) +
-                                      "): " + small(result.description()));
+    throw Error(ErrorKind::input,
+                file + ": not valid XML (line " + std::to_string(line) + "): " + small(result.description()));
 }
 
 } // namespace pantin::svg

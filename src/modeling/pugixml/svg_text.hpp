@@ -28,8 +28,9 @@ std::string text_of(pugi::xml_node node);
 std::string described(pugi::xml_node node, const std::string& name);
 bool is_shape(pugi::xml_node node);
 
-// The document of a file's text: a byte order mark and what stands behind the end are passed over, and entities
-// that the document itself declares (Illustrator's) are put in. Error(input) names `file` and the line.
+// The document of a file's text: a byte order mark and what stands behind the end are passed over, and
+// entities that the document itself declares (Illustrator's) are put in. Error(input) names `file` and the
+// line.
 void load(pugi::xml_document& document, const std::string& text, const std::string& file);
 
 } // namespace pantin::svg
