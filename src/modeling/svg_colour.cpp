@@ -179,10 +179,12 @@ std::optional<SvgColour> of_hex(const std::string& text) {
     const std::size_t digits = text.size() - 1;
     if (digits != 3 && digits != 4 && digits != 6 && digits != 8) return {};
     const bool brief = digits < 6;
+    const auto digit = [&](std::size_t i) {
+        const char c = text[1 + i];
+        return c <= '9' ? c - '0' : c - 'a' + 10;
+    };
     const auto channel = [&](std::size_t i) {
-        const std::string pair =
-            brief ? std::string(2, text[1 + i]) : std::string{text[1 + 2 * i], text[2 + 2 * i]};
-        return static_cast<std::uint8_t>(std::stoi(pair, nullptr, 16));
+        return static_cast<std::uint8_t>(brief ? 17 * digit(i) : 16 * digit(2 * i) + digit(2 * i + 1));
     };
     SvgColour result{{channel(0), channel(1), channel(2)}, 1};
     if (digits == 4 || digits == 8) result.alpha = channel(3) / 255.0;
@@ -210,7 +212,7 @@ std::optional<SvgColour> of_function(const std::string& text) {
     const std::size_t last = inside.find_last_of(",/ ");
     const std::string final_part = last == std::string::npos ? "" : inside.substr(last + 1);
     const double most = inside.substr(0, last).find('%') == std::string::npos ? 255 : 100;
-    if (const std::size_t unit = inside.find("deg"); unit != std::string::npos) inside.replace(unit, 3, " ");
+    if (const std::size_t unit = inside.find("deg"); unit != std::string::npos) inside.erase(unit, 3);
     for (char& c : inside)
         if (c == '%' || c == '/') c = ' ';
     std::vector<double> v;

@@ -469,7 +469,7 @@ double svg_length(const std::string& text, const std::string& where, double whol
     const auto known =
         std::find_if(units.begin(), units.end(), [&](const auto& u) { return u.first == unit; });
     scan.skip_space();
-    if (known == units.end() || !scan.at_end())
+    if (known == units.end() || (percent && !unit.empty()) || !scan.at_end())
         scan.fail("only the units px, in, cm, mm, Q, pt, pc, em, rem, ex and % are known");
     return percent ? number / 100 * whole : number * known->second;
 }

@@ -87,7 +87,8 @@ Strokes labelled_in_view(Strokes strokes, const std::string& name, Context& cont
 bool needs_a_look(const Strokes& strokes) {
     std::set<Label> labels;
     for (const PartStroke* part : parts_of(strokes)) labels.insert(told(*part));
-    return labels.contains(Label::background) || (labels.size() == 1 && is_flat(strokes));
+    const bool open = labels.erase(Label::background) > 0;
+    return labels.size() < 2 ? open || is_flat(strokes) : open && is_flat(strokes);
 }
 
 LabelledStrokes labelled_by_look(const Strokes& strokes, const std::string& name, Context& context) {

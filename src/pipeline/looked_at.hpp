@@ -19,8 +19,9 @@ struct LabelledStrokes {
     bool painted = false; // the strokes' own painting is to be seen on the model
 };
 
-// Whether names and labels leave open what parts a model has: one of no known name and without a label, or
-// all of one name's label. No error. Own.
+// Whether names and labels leave open what parts a model has: fewer than two labels are told, or, of a
+// drawing that is all seen from the front at one depth, one part's is not. A model that was made in space
+// with names for its parts is left as its names say. No error. Own.
 bool needs_a_look(const Strokes& strokes);
 
 // The labels that the part network sees; those that the strokes have, and known names, overrule it. Shapes

@@ -9,12 +9,14 @@
 #include <set>
 
 #include "geometry/extent.hpp"
+#include "modeling/svg_outlines.hpp"
 
 namespace pantin::svg {
 namespace {
 
 constexpr double ground_share = 0.95; // of the page, and of its own box, that a ground fills
 constexpr double disc_share = 0.78;   // of its box, that a disc or a rounded sheet fills at least
+constexpr double badge_share = 0.6;   // of the points of what is on a disc that lie inside it
 constexpr double page_slack = 0.01;   // of the page's sides: so far beyond it a shape still counts as seen
 constexpr double same_share = 0.004;  // of the diagonal: boxes so near are those of one shape …
 constexpr double same_area = 0.03;    // … when their areas differ no more
@@ -110,10 +112,18 @@ private:
         const bool large = own.width() >= ground_share * page.width() - slack &&
                            own.height() >= ground_share * page.height() - slack;
         if (sheet) return true;
-        return large && area >= disc_share * own.area() &&
-               std::all_of(shapes_.begin() + 1, shapes_.end(),
-                           [&](const GatheredShape& s) { return own.holds(extent_of(s), slack); }) &&
-               known_label(first.name) == Label::background;
+        return large && area >= disc_share * own.area() && known_label(first.name) == Label::background &&
+               std::all_of(shapes_.begin() + 1, shapes_.end(), [&](const GatheredShape& s) {
+                   return s.painting.empty() || lies_on(s, first.outlines[0]);
+               });
+    }
+    // Whether most of the shape's points are inside the outline; a head may look out of its badge.
+    static bool lies_on(const GatheredShape& shape, const std::vector<Point2d>& outline) {
+        std::size_t inside = 0, all = 0;
+        for (const PaintedShape& painted : shape.painting)
+            for (const std::vector<Point2d>& points : painted.outlines)
+                for (const Point2d p : points) ++all, inside += winding(outline, p) != 0;
+        return static_cast<double>(inside) >= badge_share * static_cast<double>(all);
     }
 
     // The outline of a filled shape that is drawn as a shape of its own, before or behind it.
