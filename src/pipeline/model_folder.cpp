@@ -49,14 +49,6 @@ Source source_of(const fs::path& input) {
     return {from_file(input), std::nullopt, false};
 }
 
-// What names leave open the part network tells.
-void look_at_parts(Source& source, const fs::path& input, const Settings& settings) {
-    if (source.picture || !needs_a_look(source.strokes)) return;
-    Context context(settings);
-    LabelledStrokes labelled = labelled_by_look(source.strokes, input.string(), context);
-    source = {std::move(labelled.strokes), std::move(labelled.picture), labelled.painted};
-}
-
 // The painting as the view shows it, twice as large as the view.
 RgbImage painted(const Strokes& strokes, const ModelView& view) {
     constexpr int finer = 2;
@@ -77,6 +69,20 @@ Model build(const Strokes& strokes, const std::string& name, const ModelOptions&
     } catch (const Error& error) {
         throw Error(error.kind(), name + ": " + error.what());
     }
+}
+
+// What names leave open the part network tells. Strokes without a painting are checked as a model first, so
+// that what is wrong with a stroke is said of it.
+void look_at_parts(Source& source, const fs::path& input, const Settings& settings) {
+    if (source.picture || !needs_a_look(source.strokes)) return;
+    std::vector<std::string> repairs;
+    if (source.strokes.painting.empty())
+        repairs = build(source.strokes, input.string(), settings.options.modeling).repairs();
+    Context context(settings);
+    LabelledStrokes labelled = labelled_by_look(source.strokes, input.string(), context);
+    source = {std::move(labelled.strokes), std::move(labelled.picture), labelled.painted};
+    std::vector<std::string>& lines = source.strokes.repairs;
+    if (source.picture) lines.insert(lines.end(), repairs.begin(), repairs.end());
 }
 
 } // namespace
