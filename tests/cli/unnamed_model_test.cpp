@@ -166,3 +166,28 @@ TEST_CASE("Looking at a drawing gives the same bytes with any number of threads"
                     .code == 0);
     CHECK((read_all(folder / "1") == read_all(folder / "3")));
 }
+
+TEST_CASE("Details that are cut out of an outline stay visible, and a head beside its body is joined to it",
+          "[cli][model][needs-pugixml]") {
+    const std::string eye = "M44 40a4 4 0 1 0 8 0a4 4 0 1 0 -8 0Z";
+    std::string with_eye = silhouette;
+    with_eye.replace(with_eye.find("Z'/>"), 4, "Z" + eye + "' fill-rule='evenodd'/>");
+    const auto made = make(svg(with_eye));
+    const Mask mask = load_grey(made->out() / "mask.png");
+    const RgbImage drawing = load_image(made->out() / "drawing.png");
+    long white = 0;
+    for (int y = 0; y < drawing.height(); ++y)
+        for (int x = 0; x < drawing.width(); ++x)
+            white += drawing(x, y) == Rgb8{255, 255, 255} &&
+                     mask(x * mask.width() / drawing.width(), y * mask.height() / drawing.height()) != 0;
+    CHECK(white > 200);
+
+    const auto apart =
+        make(svg("<circle cx='100' cy='30' r='20'/><path d='M80 56H120L160 100L150 110L122 84V130L132 190H"
+                 "112L100 140L88 190H68L78 130V84L50 110L40 100Z'/>"));
+    Mask whole = load_grey(apart->out() / "mask.png");
+    for (std::uint8_t& pixel : whole) pixel = pixel != 0;
+    CHECK(connected_components(whole).list.size() == 1);
+    CHECK(apart->labels().find("head") != std::string::npos);
+    CHECK(apart->reference() == "humanoid");
+}
