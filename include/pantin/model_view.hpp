@@ -40,6 +40,9 @@ struct ModelPicture {
 // The model as a drawing, near parts in front; parts that the united `solid` has thicker than they are drawn
 // are seen so. Error(input) when a part has no area. Own.
 ModelPicture draw(Model& model, const ModelView& view, const SolidMesh& solid = {});
+// The part (an index of parts()) that is seen at each pixel of the view, −1 where there is none. Error(input)
+// when a part has no area. Own.
+Grid<int> seen_parts(Model& model, const ModelView& view);
 // The model's skeleton as a graph in the view's pixels: ends and junctions with the chains between them.
 // Trees that are not connected are joined where they are nearest. No error. Own.
 SkeletonGraph project_skeleton(const Model& model, const ModelView& view);

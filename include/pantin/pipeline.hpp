@@ -47,11 +47,12 @@ void render_folder(const std::filesystem::path& folder, const Settings& settings
 
 // --- models -----------------------------------------------------------------------------------------------
 
-// Strokes (JSON or SVG, strokes.hpp) or a character's folder with labels.png to a rigged model:
-// out/strokes.json, model.json, model.obj, model.mtl, model.glb, views.png, and what identify_folder takes:
-// drawing.png, mask.png, labels.png, skeleton.json. `calls`: a strokes.json whose calls come after the
-// input's own; empty: none. rig_folder and render_folder find the strokes and move the solid. Error(input): a
-// stroke or a call is invalid, or a file is none of these.
+// Strokes (JSON or SVG, strokes.hpp) or a character's folder with labels.png to a rigged model; where the
+// strokes' names do not tell the parts, the part network does (docs/modeling.md). Makes out/strokes.json,
+// model.json, model.obj, model.mtl, model.glb, views.png, and what identify_folder takes: drawing.png,
+// mask.png, labels.png, skeleton.json. `calls`: a strokes.json whose calls come after the input's own; empty:
+// none. rig_folder and render_folder find the strokes and move the solid. Error(input): a stroke or a call is
+// invalid, or a file is none of these.
 void model_folder(const std::filesystem::path& input, const std::filesystem::path& out,
                   const std::filesystem::path& calls, const Settings& settings);
 

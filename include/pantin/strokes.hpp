@@ -20,6 +20,7 @@
 
 #include "pantin/grid.hpp"
 #include "pantin/label.hpp"
+#include "pantin/painting.hpp"
 #include "pantin/point.hpp"
 
 namespace pantin {
@@ -82,6 +83,8 @@ struct Strokes {
     Point2d origin;
     std::vector<ModelCall> calls;     // parts in modelling order, then what else was asked for
     std::vector<std::string> repairs; // what was wrong and what was done about it, one line each
+    // Of an SVG: all that it shows, decoration too; of JSON nothing.
+    Painting painting;
 };
 
 // Strokes of a JSON text (docs/modeling.md, "strokes.json"), canvas units. `file` stands in messages.
@@ -92,9 +95,10 @@ std::string strokes_to_json(const Strokes& strokes);
 // The strokes with the calls of another text, {"calls": […]}, after their own. Errors as strokes_from_json().
 // Own.
 Strokes with_calls(Strokes strokes, const std::string& text, const std::string& file);
-// Every path, polygon, polyline, rect, circle and ellipse of an SVG is a part, in document order
-// (docs/modeling.md, "SVG strokes"); canvas units are the SVG's user units. Error(input) names `file` and
-// what is wrong; Error(usage) in a build without pugixml. Own, by SVG 2 (W3C 2018).
+// Every shape of an SVG that is painted is a part, in painting order, and so is each outline of a path
+// (docs/modeling.md, "SVG strokes"); canvas units are the SVG's user units. What is left out is a line of
+// `repairs`. Error(input) names `file` and what is wrong; Error(usage) in a build without pugixml. Own, by
+// SVG 2 (W3C 2018).
 Strokes strokes_from_svg(const std::string& text, const std::string& file);
 // Whether this build has strokes_from_svg(). No error. Own.
 bool svg_available();
@@ -105,5 +109,7 @@ Label label_of_word(std::string_view word);
 // The label that a part's name asks for: "left_wing" wing, "ear" head, "body" body, "claw" limb; limb when no
 // word of it is known. No error. Own.
 Label label_of_part(const std::string& name);
+// The same, but background when no word of it is known. No error. Own.
+Label known_label(const std::string& name);
 
 } // namespace pantin

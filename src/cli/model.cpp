@@ -11,12 +11,13 @@ namespace {
 struct Arguments {
     CommonOptions common;
     RenderFlags render;
-    std::string input, out, calls;
+    std::string input, out, calls, reference;
     bool animate = false;
 };
 
 int run_model(const Arguments& arguments) {
-    const Settings settings = make_settings(arguments.common, arguments.render);
+    Settings settings = make_settings(arguments.common, arguments.render);
+    settings.overrides.reference = arguments.reference;
     const std::filesystem::path input = arguments.input;
     std::error_code ignored;
     const bool folder = std::filesystem::is_directory(input, ignored);
@@ -49,6 +50,8 @@ void add_model(Command app) {
     command.option("--calls", arguments->calls,
                    "JSON file of calls to play after the strokes: move_part, set_symmetry, refine, ...");
     command.flag("--animate", arguments->animate, "then identify, rig and render the model");
+    command.option("--reference", arguments->reference,
+                   "with --animate: what the model moves like, instead of what fits best");
     add_motion_options(command, arguments->common);
     add_render_options(command, arguments->render);
     add_common_options(command, arguments->common);

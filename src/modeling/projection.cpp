@@ -186,6 +186,8 @@ ModelPicture draw(Model& model, const ModelView& view, const SolidMesh& solid) {
     return picture;
 }
 
+Grid<int> seen_parts(Model& model, const ModelView& view) { return picture_of(model, view, {}, 1).part; }
+
 SkeletonGraph project_skeleton(const Model& model, const ModelView& view) {
     const ModelSkeleton& skeleton = model.skeleton();
     std::vector<Point2i> pixels;

@@ -448,24 +448,30 @@ std::vector<double> svg_numbers(const std::string& text, const std::string& wher
     return numbers;
 }
 
-double svg_length(const std::string& text, const std::string& where) {
-    constexpr std::array<std::pair<std::string_view, double>, 8> units = {{{"", 1},
-                                                                           {"px", 1},
-                                                                           {"in", 96},
-                                                                           {"cm", 96 / 2.54},
-                                                                           {"mm", 96 / 25.4},
-                                                                           {"Q", 96 / 101.6},
-                                                                           {"pt", 96 / 72.0},
-                                                                           {"pc", 16}}};
+double svg_length(const std::string& text, const std::string& where, double whole) {
+    constexpr double font = 16; // the usual size of text, which no shape depends on
+    constexpr auto units = std::to_array<std::pair<std::string_view, double>>({{"", 1},
+                                                                               {"px", 1},
+                                                                               {"in", 96},
+                                                                               {"cm", 96 / 2.54},
+                                                                               {"mm", 96 / 25.4},
+                                                                               {"Q", 96 / 101.6},
+                                                                               {"pt", 96 / 72.0},
+                                                                               {"pc", 16},
+                                                                               {"em", font},
+                                                                               {"rem", font},
+                                                                               {"ex", font / 2}});
     Scanner scan(text, where);
     const double number = scan.number();
+    const bool percent = scan.peek() == '%';
+    if (percent) scan.step();
     const std::string unit = scan.word();
     const auto known =
         std::find_if(units.begin(), units.end(), [&](const auto& u) { return u.first == unit; });
     scan.skip_space();
-    if (known == units.end() || !scan.at_end())
-        scan.fail("only the units px, in, cm, mm, Q, pt and pc are known");
-    return number * known->second;
+    if (known == units.end() || (percent && !unit.empty()) || !scan.at_end())
+        scan.fail("only the units px, in, cm, mm, Q, pt, pc, em, rem, ex and % are known");
+    return percent ? number / 100 * whole : number * known->second;
 }
 
 } // namespace pantin

@@ -49,7 +49,8 @@ std::vector<Subpath> svg_path(const std::string& data, const Affine& transform, 
 Affine svg_transform(const std::string& text, const std::string& where);
 // Numbers with white space or commas between them.
 std::vector<double> svg_numbers(const std::string& text, const std::string& where);
-// A number with an absolute unit or none, in user units (CSS pixels, 96 an inch).
-double svg_length(const std::string& text, const std::string& where);
+// A number with a unit or none, in user units (CSS pixels, 96 an inch; fonts are 16 pixels large);
+// percentages are of `whole`.
+double svg_length(const std::string& text, const std::string& where, double whole);
 
 } // namespace pantin

@@ -10,6 +10,8 @@
 #include "pantin/export.hpp"
 #include "pantin/image.hpp"
 #include "pantin/pipeline.hpp"
+#include "pipeline/context.hpp"
+#include "pipeline/looked_at.hpp"
 #include "pipeline/model_sheet.hpp"
 
 namespace pantin {
@@ -22,11 +24,12 @@ namespace {
 struct Source {
     Strokes strokes;
     std::optional<ModelPicture> picture; // of a scanned drawing, with the view that shows it as it is
+    bool painted = false;                // the strokes' painting is what the model is coloured with
 };
 
 Source from_character(const fs::path& folder) {
     const LabelMap labels = read_labels(folder, read_mask(folder));
-    return {strokes_from_labels(labels), ModelPicture{read_drawing(folder), labels}};
+    return {strokes_from_labels(labels), ModelPicture{read_drawing(folder), labels}, false};
 }
 
 Strokes from_file(const fs::path& file) {
@@ -43,7 +46,21 @@ Strokes from_file(const fs::path& file) {
 Source source_of(const fs::path& input) {
     std::error_code ignored;
     if (fs::is_directory(input, ignored)) return from_character(input);
-    return {from_file(input), std::nullopt};
+    return {from_file(input), std::nullopt, false};
+}
+
+// The painting as the view shows it, twice as large as the view.
+RgbImage painted(const Strokes& strokes, const ModelView& view) {
+    constexpr int finer = 2;
+    CanvasView canvas;
+    canvas.scale = finer * view.scale;
+    canvas.offset =
+        finer * (view.offset - view.scale * strokes.origin + Point2d{0.5, 0.5}) - Point2d{0.5, 0.5};
+    const RgbaImage figure = paint(strokes.painting, canvas, finer * view.width, finer * view.height);
+    RgbImage drawing(figure.width(), figure.height(), Rgb8{255, 255, 255});
+    for (std::size_t i = 0; i < drawing.size(); ++i)
+        if (const Rgba8 p = figure.data()[i]; is_opaque(p)) drawing.data()[i] = {p.r, p.g, p.b};
+    return drawing;
 }
 
 Model build(const Strokes& strokes, const std::string& name, const ModelOptions& options) {
@@ -52,6 +69,20 @@ Model build(const Strokes& strokes, const std::string& name, const ModelOptions&
     } catch (const Error& error) {
         throw Error(error.kind(), name + ": " + error.what());
     }
+}
+
+// What names leave open the part network tells. Strokes without a painting are checked as a model first, so
+// that what is wrong with a stroke is said of it.
+void look_at_parts(Source& source, const fs::path& input, const Settings& settings) {
+    if (source.picture || !needs_a_look(source.strokes)) return;
+    std::vector<std::string> repairs;
+    if (source.strokes.painting.empty())
+        repairs = build(source.strokes, input.string(), settings.options.modeling).repairs();
+    Context context(settings);
+    LabelledStrokes labelled = labelled_by_look(source.strokes, input.string(), context);
+    source = {std::move(labelled.strokes), std::move(labelled.picture), labelled.painted};
+    std::vector<std::string>& lines = source.strokes.repairs;
+    if (source.picture) lines.insert(lines.end(), repairs.begin(), repairs.end());
 }
 
 } // namespace
@@ -65,18 +96,20 @@ void model_folder(const fs::path& input, const fs::path& out, const fs::path& ca
     Source source = source_of(input);
     if (!calls.empty())
         source.strokes = with_calls(std::move(source.strokes), read_text(calls), calls.string());
+    look_at_parts(source, input, settings);
     progress("model", 0.1);
     Model model = build(source.strokes, input.string(), settings.options.modeling);
     progress("union", 0.3);
     const SolidMesh mesh = model.united();
     ModelView view;
-    const bool projected = source.picture.has_value();
-    if (projected) {
+    const bool projected = source.picture.has_value() || source.painted;
+    if (source.picture) {
         view.width = source.picture->labels.width();
         view.height = source.picture->labels.height();
     } else {
         view = view_of(model, mesh);
         source.picture = draw(model, view, mesh);
+        if (source.painted) source.picture->drawing = painted(source.strokes, view);
     }
     progress("weights", 0.6);
     const Rig rig = model_rig(model, mesh, view, projected ? std::vector<Rgb8>{} : part_colours(model, mesh));

@@ -35,6 +35,14 @@ Mask opaque_part(const RgbaImage& picture) {
     return opaque;
 }
 
+RgbImage colours_of(const RgbaImage& picture) {
+    RgbImage colours(picture.width(), picture.height());
+    std::transform(picture.begin(), picture.end(), colours.begin(), [](Rgba8 p) {
+        return Rgb8{p.r, p.g, p.b};
+    });
+    return colours;
+}
+
 // A transparent ground: most of the picture's border is.
 bool has_transparent_border(const Mask& opaque) {
     long border = 0, clear = 0;
@@ -124,24 +132,26 @@ PagePicture load_page_picture(const std::filesystem::path& file, int rotate, boo
     const Mask opaque = opaque_part(loaded);
     if (!has_transparent_border(opaque)) return on_paper(composite_on_white(loaded), rotate, flattens);
 
-    RgbImage colours(loaded.width(), loaded.height());
-    std::transform(loaded.begin(), loaded.end(), colours.begin(), [](Rgba8 p) {
-        return Rgb8{p.r, p.g, p.b};
-    });
-    const GreyImage luma = greyscale(colours);
+    const GreyImage luma = greyscale(colours_of(loaded));
     double share = 0;
     const int commonest = commonest_luma(luma, opaque, share);
     if (share >= sheet_paper && is_solid(opaque))
         return on_paper(on_ground(loaded, opaque, paper_of(loaded, luma, opaque, commonest)), rotate, false);
 
+    return cut_out_picture(turned(loaded, rotate));
+}
+
+PagePicture cut_out_picture(const RgbaImage& figure) {
+    const Mask opaque = opaque_part(figure);
+    const GreyImage luma = greyscale(colours_of(figure));
     long pale_pixels = 0, all = 0;
     for (std::size_t i = 0; i < luma.size(); ++i)
         if (opaque.data()[i]) ++all, pale_pixels += luma.data()[i] >= pale;
     // Nine in ten: a pale figure with a dark outline shows on white.
     const Rgb8 ground = 10 * pale_pixels > 9 * all ? dark_ground : light_ground;
     PagePicture page;
-    page.picture = turned(on_ground(loaded, opaque, ground), rotate);
-    page.ink = find_cut_out_ink(turned(loaded, rotate));
+    page.picture = on_ground(figure, opaque, ground);
+    page.ink = find_cut_out_ink(figure);
     return page;
 }
 

@@ -22,5 +22,7 @@ struct PagePicture {
 // and stands on white, or on dark when it is itself nearly white. A sheet of paper that was cut out is a
 // page. Error(input) names the file.
 PagePicture load_page_picture(const std::filesystem::path& file, int rotate, bool flattens);
+// A figure on a transparent ground, as above. No error.
+PagePicture cut_out_picture(const RgbaImage& figure);
 
 } // namespace pantin
