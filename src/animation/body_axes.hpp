@@ -2,6 +2,8 @@
 // How a recorded figure stands in its file: the vertical, and whether it is a biped or on four legs.
 #pragma once
 
+#include <optional>
+
 #include "pantin/motion.hpp"
 
 namespace pantin {
@@ -17,10 +19,11 @@ struct BodyAxes {
     Vec3 up{0, 1, 0};            // along an axis of the file
     bool stands_at_rest = false; // the hierarchy's own pose is one in which such a body stands
     bool on_four_legs = false;
+    std::optional<Vec3> rest_up; // where the hierarchy's own pose stands along another axis than the frames
 };
 // From the hierarchy's own pose, where it is that of a standing body (legs down, the trunk above them or
 // across them): what the performer does, be it lying or standing on the hands, says nothing about where up
-// is. From all frames otherwise. No error. Own.
+// is. From all frames otherwise, or where they contradict it: by the ground. No error. Own.
 BodyAxes body_axes(const Motion& motion, const MotionJoints& joints);
 
 } // namespace pantin

@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::size_t most_joints = 2000, most_frames = 1'000'000, most_values = 100'000'000;
 constexpr double usual_frame_time = 1.0 / 30;
+constexpr double far_from_rest = 15; // degrees that no joint turns from one frame to the next
 
 struct ChannelName {
     std::string_view name;
@@ -53,13 +54,13 @@ bool is_not_a_number(std::string_view word) {
 // The number that a word is; a decimal comma, as some systems write it, stands for the point.
 std::optional<double> number_of(std::string_view word) {
     std::string text(word.substr(word.starts_with('+') ? 1 : 0));
+    if (text.ends_with(',')) text.pop_back(); // between two values
     if (std::count(text.begin(), text.end(), ',') == 1 && text.find('.') == std::string::npos)
         std::replace(text.begin(), text.end(), ',', '.');
     double value = 0;
     const char *first = text.data(), *last = first + text.size();
     const auto [end, error] = std::from_chars(first, last, value);
-    if (text.empty() || error != std::errc() || end != last || !std::isfinite(value) || std::abs(value) > 1e9)
-        return std::nullopt;
+    if (text.empty() || error != std::errc() || end != last || !std::isfinite(value)) return std::nullopt;
     return value;
 }
 
@@ -67,8 +68,10 @@ class Parser {
 public:
     Parser(std::string_view text, const std::string& file) : text_(text), file_(file) {
         if (text_.starts_with("\xEF\xBB\xBF")) begin_ = 3;
-        if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF"))
-            fail("the text is UTF-16; save it as UTF-8");
+        using namespace std::string_view_literals;
+        if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF") || text_.starts_with("H\0"sv) ||
+            text_.starts_with("\0"sv))
+            fail("the text is UTF-16 or UTF-32; save it as UTF-8");
     }
 
     Motion parse() {
@@ -84,6 +87,7 @@ public:
         read_values();
         tell_of_frames();
         mend_values();
+        leave_out_rest_frame();
         return std::move(motion_);
     }
 
@@ -129,6 +133,7 @@ private:
         const std::string_view word = peek();
         const std::optional<double> value = number_of(word);
         if (!value) fail(what + " is expected, not '" + std::string(word.substr(0, 40)) + "'");
+        if (std::abs(*value) > 1e9) fail(std::string(word.substr(0, 40)) + " is out of range");
         begin_ += word.size();
         return *value;
     }
@@ -271,6 +276,26 @@ private:
             fail("no value of the motion is a number");
         motion_.repairs.push_back(count_of(mended, "value") + (mended == 1 ? " is" : " are") +
                                   " no number; the frame before stands for " + (mended == 1 ? "it" : "them"));
+    }
+
+    // Many recordings begin with one frame of the hierarchy's own pose.
+    void leave_out_rest_frame() {
+        if (motion_.frames() < 3) return;
+        double first = 0, second = 0;
+        for (const MotionJoint& joint : motion_.joints)
+            for (std::size_t c = 0; c < joint.channels.size(); ++c) {
+                const Channel channel = joint.channels[c];
+                if (channel != Channel::x_rotation && channel != Channel::y_rotation &&
+                    channel != Channel::z_rotation)
+                    continue;
+                first = std::max(first, std::abs(motion_.values[joint.first_channel + c]));
+                second =
+                    std::max(second, std::abs(motion_.values[motion_.channels + joint.first_channel + c]));
+            }
+        if (first != 0 || second < far_from_rest) return;
+        motion_.values.erase(motion_.values.begin(),
+                             motion_.values.begin() + static_cast<std::ptrdiff_t>(motion_.channels));
+        motion_.repairs.push_back("the first frame is the pose at rest and is left out");
     }
 
     std::string_view text_;

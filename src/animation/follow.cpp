@@ -69,7 +69,7 @@ private:
     // are bent and necks are tilted in many of them.
     static Vec3 unbent(Vec3 v, Vec3 at_rest) {
         const double n = std::sqrt(at_rest.y * at_rest.y + at_rest.z * at_rest.z);
-        if (!(at_rest.y > 0.5 * n) || n < 1e-9) return v;
+        if (!(n > 0.3 * length(at_rest))) return v;
         const double c = at_rest.y / n, s = at_rest.z / n;
         return {v.x, v.y * c + v.z * s, -v.y * s + v.z * c};
     }

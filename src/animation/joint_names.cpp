@@ -94,6 +94,16 @@ constexpr auto words = std::to_array<Word>({// sides and qualifiers
                                             {"target", "!"},
                                             {"metacarpal", "!"}});
 
+// Of the skeletons that MikuMikuDance has made common; the side is the first character.
+constexpr auto japanese = std::to_array<Word>({{"腕", "arm"},
+                                               {"ひじ", "elbow"},
+                                               {"手首", "wrist"},
+                                               {"足", "thigh"},
+                                               {"ひざ", "knee"},
+                                               {"足首", "ankle"},
+                                               {"首", "neck"},
+                                               {"頭", "head"}});
+
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_letter(char c) { return is_upper(c) || (c >= 'a' && c <= 'z'); }
 char lower(char c) { return is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -154,6 +164,14 @@ std::vector<std::string> cut_into_known(const std::string& word) {
 
 SimpleName simple(const std::string& name) {
     SimpleName result;
+    const bool left = name.starts_with("左"), right = name.starts_with("右");
+    const std::string_view sideless = std::string_view(name).substr(left || right ? 3 : 0); // bytes
+    for (const Word& word : japanese)
+        if (word.text == sideless)
+            return {left    ? BodySide::left
+                    : right ? BodySide::right
+                            : BodySide::none,
+                    std::string(word.means)};
     std::string qualifier;
     for (const std::string& marked : cut_at_marks(name)) {
         std::vector<std::string> parts = cut_into_known(marked);

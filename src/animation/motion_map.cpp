@@ -17,7 +17,10 @@ JointMap parse_motion_map(const std::string& text, const std::string& file) {
     for (const auto& [part, joint] : reader.entries()) {
         if (std::find(parts.begin(), parts.end(), part) == parts.end())
             reader.fail("'" + part + "' is no part of a body" + did_you_mean(part, parts));
-        map.emplace_back(part, joint.text());
+        const std::string name = joint.text();
+        if (part == "body" && name != "humanoid" && name != "quadruped" && name != "bird")
+            joint.fail("must be humanoid, quadruped or bird");
+        map.emplace_back(part, name);
     }
     return map;
 }

@@ -10,10 +10,12 @@
 namespace pantin {
 namespace {
 
-constexpr double facing_seconds = 0.5; // window over which the figure's facing is averaged
-constexpr double least_vote = 0.2;     // of a heading: below it, upside down, the last one stays
-constexpr double straight = 0.95;      // length of the mean heading of a figure that keeps it
-constexpr double long_way = 1.5;       // in lengths of the legs
+constexpr double facing_seconds = 0.5;        // window over which the figure's facing is averaged
+constexpr double least_vote = 0.2;            // of a heading: below it there is none
+constexpr double standing = 0.5, lying = 0.5; // cosine of the trunk with the vertical; with the ground
+constexpr double turn_back = math::pi;        // radians a second
+constexpr double straight = 0.95;             // length of the mean heading of a figure that keeps it
+constexpr double long_way = 1.5;              // in lengths of the legs
 
 Vec3 unit(Vec3 v, Vec3 otherwise) { return length(v) > 1e-12 ? (1 / length(v)) * v : otherwise; }
 
@@ -71,23 +73,57 @@ Vec3 Recording::heading_vote(const Frame& frame) const {
     return cross(left, up_) + chest - dot(chest, up_) * up_;
 }
 
+// A figure that stands faces the viewer. One that lies, or is upside down, is turned only as its body axis
+// turns on the ground: rolling over is no turning round, and what it looks to then says nothing. When it
+// stands again it turns back to the viewer.
 void Recording::find_headings() {
-    std::vector<Vec3> votes;
-    for (const Frame& frame : frames_) votes.push_back(heading_vote(frame));
+    std::vector<Vec3> raw;
+    double astray = 0; // angle from where it looks to, left from a time of lying
+    Vec3 last_axis;
+    for (const Frame& frame : frames_) {
+        const Vec3 vote = heading_vote(frame);
+        const Vec3 trunk = unit(limb_directions(frame, joints_).trunk, up_);
+        const double upright = joints_.plan == BodyPlan::humanoid ? dot(trunk, up_) : 1;
+        const Vec3 flat = trunk - dot(trunk, up_) * up_;
+        const Vec3 axis = length(flat) > lying ? unit(flat, {}) : Vec3{};
+        const bool clear = length(vote) > least_vote;
+        if (raw.empty()) {
+            raw.push_back(clear ? unit(vote, {}) : up_.y != 0 ? Vec3{0, 0, 1} : Vec3{0, -1, 0});
+        } else if (upright > standing && clear) {
+            const Vec3 own = unit(vote, {});
+            if (!stood_) astray = angle_between(own, raw.back());
+            const double step = turn_back / key_rate;
+            astray = std::abs(astray) <= step ? 0 : astray - (astray > 0 ? step : -step);
+            raw.push_back(turned(own, astray));
+        } else if (length(axis) > 0 && length(last_axis) > 0) {
+            raw.push_back(turned(raw.back(), angle_between(last_axis, axis)));
+        } else {
+            raw.push_back(raw.back());
+        }
+        stood_ = upright > standing && clear;
+        last_axis = axis;
+    }
+    smooth_headings(raw);
+}
+
+void Recording::smooth_headings(const std::vector<Vec3>& raw) {
     const auto reach = static_cast<std::ptrdiff_t>(facing_seconds * key_rate / 2);
-    const auto count = static_cast<std::ptrdiff_t>(votes.size());
-    std::ptrdiff_t unknown = 0; // at the beginning
+    const std::ptrdiff_t count = std::ssize(raw);
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         const std::ptrdiff_t begin = std::max<std::ptrdiff_t>(0, i - reach),
                              end = std::min(count, i + reach + 1);
         Vec3 sum;
-        for (std::ptrdiff_t k = begin; k < end; ++k) sum = sum + votes[static_cast<std::size_t>(k)];
-        const bool clear = length(sum) > least_vote * static_cast<double>(end - begin);
-        if (clear && unknown == i) std::fill(headings_.begin(), headings_.end(), unit(sum, {}));
-        if (!clear && unknown == i) ++unknown;
-        const Vec3 otherwise = up_.y != 0 ? Vec3{0, 0, 1} : Vec3{0, -1, 0};
-        headings_.push_back(clear ? unit(sum, {}) : headings_.empty() ? otherwise : headings_.back());
+        for (std::ptrdiff_t k = begin; k < end; ++k) sum = sum + raw[static_cast<std::size_t>(k)];
+        headings_.push_back(length(sum) > 1e-3 ? unit(sum, {}) : raw[static_cast<std::size_t>(i)]);
     }
+}
+
+// About the vertical, counter-clockwise seen from above, radians.
+double Recording::angle_between(Vec3 from, Vec3 to) const {
+    return math::atan2(dot(cross(from, to), up_), dot(from, to));
+}
+Vec3 Recording::turned(Vec3 horizontal, double angle) const {
+    return math::cos(angle) * horizontal + math::sin(angle) * cross(up_, horizontal);
 }
 
 void Recording::find_legs() {

@@ -37,6 +37,9 @@ private:
     Vec3 at(std::size_t frame, int joint) const { return frames_[frame][static_cast<std::size_t>(joint)]; }
     Vec3 heading_vote(const Frame& frame) const;
     void find_headings();
+    void smooth_headings(const std::vector<Vec3>& raw);
+    double angle_between(Vec3 from, Vec3 to) const;
+    Vec3 turned(Vec3 horizontal, double angle) const;
     void find_legs();
     void find_rest(const Motion& motion);
     void find_way(bool in_place);
@@ -47,6 +50,7 @@ private:
     const MotionJoints& joints_;
     Vec3 up_{0, 1, 0};
     std::vector<Frame> frames_;
+    bool stood_ = true;          // of find_headings(), in the pose before
     std::vector<Vec3> headings_; // horizontal unit vectors
     std::vector<RecordedPose> poses_;
     Frame rest_;

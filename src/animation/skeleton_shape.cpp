@@ -9,9 +9,11 @@
 namespace pantin {
 namespace {
 
+constexpr int ring = 6;               // so many alike at one joint are no limbs
 constexpr double alike = 0.08;        // by which the lengths of left and right may differ
 constexpr double least_limb = 0.35;   // of the longest limb's length
 constexpr double least_tail = 0.15;   // of a leg's length
+constexpr double clearly = 1.1;       // longer: else the inner one of two places along a limb counts
 constexpr double most_unlike = 1.8;   // upper against lower part of a limb
 constexpr double stiff = 0.996;       // cosine: a joint that never bends more is a twist
 constexpr std::size_t looked_at = 30; // frames
@@ -62,14 +64,14 @@ public:
         }
     }
 
-    // The longest pairs of limbs below a root, none inside another; at most two.
+    // The pairs of limbs below a root, none inside another, the longest first.
     std::vector<Pair> limb_pairs(int root) const {
         std::vector<Pair> all;
         for (std::size_t j = at(root); j < at(root) + static_cast<std::size_t>(size_[at(root)]); ++j)
             for (std::size_t x = 0; x < children_[j].size(); ++x)
                 for (std::size_t y = x + 1; y < children_[j].size(); ++y)
                     if (const int a = children_[j][x], b = children_[j][y];
-                        are_alike(a, b) && limb(a) && limb(b))
+                        are_alike(a, b) && !is_one_of_many(a) && limb(a) && limb(b))
                         all.push_back({static_cast<int>(j), depth_[j], a, b, extent(a)});
         std::stable_sort(all.begin(), all.end(),
                          [](const Pair& p, const Pair& q) { return p.length > q.length; });
@@ -82,9 +84,18 @@ public:
             });
             if (taken || (!chosen.empty() && pair.length < least_limb * chosen[0].length)) continue;
             chosen.push_back(pair);
-            if (chosen.size() == 2) break;
         }
         return chosen;
+    }
+
+    // Strips of a skirt hang in a ring.
+    bool is_one_of_many(int joint) const {
+        const int parent = motion_.joints[at(joint)].parent;
+        const std::vector<int>& all = children_[at(parent)];
+        const auto like = std::count_if(all.begin(), all.end(), [&](int other) {
+            return std::abs(extent(other) - extent(joint)) < 0.35 * extent(joint);
+        });
+        return like >= ring;
     }
 
     // The joints where a limb begins, bends and ends.
@@ -98,12 +109,25 @@ public:
             for (std::size_t i = 0; i + 2 < joints.size(); ++i) {
                 const double upper = between(joints[i], joints[i + 1]),
                              lower = between(joints[i + 1], joints[i + 2]);
-                if (upper > most_unlike * lower || lower > most_unlike * upper || upper + lower <= longest)
+                if (upper > most_unlike * lower || lower > most_unlike * upper ||
+                    upper + lower <= clearly * longest)
                     continue;
                 longest = upper + lower;
                 best = {joints[i], joints[i + 1], joints[i + 2]};
             }
+        // A hand that never bends is one all the same; its end site is none.
+        if (best && is_end_site((*best)[2]) && motion_.joints[at((*best)[2])].parent != (*best)[1])
+            (*best)[2] = motion_.joints[at((*best)[2])].parent;
         return best;
+    }
+    // The same of a limb with joints called wings: these.
+    std::optional<std::array<int, 3>> wing(int first, const std::vector<SimpleName>& names) const {
+        std::vector<int> way = longest_way(first, {});
+        way.insert(way.begin(), first);
+        for (std::size_t i = 0; i + 2 < way.size(); ++i)
+            if (names[at(way[i])].word.find("wing") != std::string::npos)
+                return std::array<int, 3>{way[i], way[i + 1], way[i + 2]};
+        return std::nullopt;
     }
 
     bool is_below(int joint, int top) const {
@@ -112,6 +136,7 @@ public:
     }
 
 private:
+    bool is_end_site(int joint) const { return motion_.joints[at(joint)].name.empty(); }
     double between(int a, int b) const { return distance(poses_[0][at(a)], poses_[0][at(b)]); }
 
     bool are_alike(int a, int b) const {
@@ -197,6 +222,30 @@ std::vector<int> ancestors(const Motion& motion, int joint) {
     return all;
 }
 
+int outermost_child(const Motion& motion, int joint) {
+    int child = -1;
+    double longest = -1;
+    for (std::size_t j = 0; j < motion.joints.size(); ++j) {
+        const double size = length(motion.joints[j].offset);
+        if (motion.joints[j].parent != joint || size <= longest) continue;
+        longest = size;
+        child = static_cast<int>(j);
+    }
+    return child;
+}
+
+int head_of(const Motion& motion, const std::vector<int>& way) {
+    int head = -1;
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        if (motion.joints[at(way[i])].name.empty()) break; // its end site
+        head = way[i];
+        const auto children = std::count_if(motion.joints.begin(), motion.joints.end(),
+                                            [&](const MotionJoint& j) { return j.parent == head; });
+        if (children > 1) break; // eyes, ears, a jaw
+    }
+    return head;
+}
+
 int common_ancestor(const Motion& motion, int a, int b) {
     const std::vector<int> above = ancestors(motion, a);
     for (; b >= 0; b = motion.joints[at(b)].parent)
@@ -209,12 +258,15 @@ std::optional<MotionJoints> joints_by_shape(const Motion& motion, const std::vec
     const Skeleton skeleton(motion);
     std::vector<Pair> pairs = skeleton.limb_pairs(root);
     if (pairs.size() < 2) return std::nullopt;
-    // Legs begin nearer to the root; at one joint, legs are the longer ones, which come first.
-    if (pairs[1].depth < pairs[0].depth) std::swap(pairs[0], pairs[1]);
+    // Legs begin nearest to the root, arms nearest to them: hair hangs from the head. At one joint, legs are
+    // the longer ones, which come first.
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const Pair& p, const Pair& q) { return p.depth < q.depth; });
     const auto& [legs, arms] = std::pair(pairs[0], pairs[1]);
     MotionJoints joints;
     const auto put = [&](int first, int& begin, int& bend, int& end) {
-        const auto limb = skeleton.limb(first);
+        auto limb = skeleton.wing(first, names);
+        if (!limb) limb = skeleton.limb(first);
         if (limb) begin = (*limb)[0], bend = (*limb)[1], end = (*limb)[2];
         return limb.has_value();
     };
@@ -226,13 +278,14 @@ std::optional<MotionJoints> joints_by_shape(const Motion& motion, const std::vec
     std::vector<int> limbs = {arms.a, arms.b, legs.a, legs.b};
     const std::vector<int> way = skeleton.longest_way(arms.joint, limbs);
     if (!way.empty()) joints.neck = way.front();
-    if (way.size() > 1) joints.head_end = way.back(), joints.head = way[way.size() - 2];
+    joints.head = head_of(motion, way);
     for (const int joint : ancestors(motion, arms.joint)) limbs.push_back(joint);
     if (legs.joint != arms.joint) {
         joints.tail = skeleton.longest_way(legs.joint, limbs);
         const double leg = legs.length;
         if (joints.tail.empty() || skeleton.extent(joints.tail.front()) < least_tail * leg)
             joints.tail.clear();
+        if (!joints.tail.empty() && skeleton.is_one_of_many(joints.tail.front())) joints.tail.clear();
     }
     settle_sides(motion, skeleton, names, joints);
     return joints;

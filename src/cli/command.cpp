@@ -171,6 +171,8 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
     if (options.in_place && options.follow) throw Error(ErrorKind::usage, "--in-place excludes --follow");
     if (options.motion.empty() && !options.motion_map.empty())
         throw Error(ErrorKind::usage, "--motion-map goes with --motion");
+    if (options.motion.empty() && (options.in_place || options.follow))
+        throw Error(ErrorKind::usage, "--in-place and --follow go with --motion");
     if (options.in_place) settings.options.animation.motion_way = Way::in_place;
     if (options.follow) settings.options.animation.motion_way = Way::follow;
     settings.blend = options.blend;

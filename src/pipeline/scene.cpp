@@ -41,17 +41,25 @@ const BoneAnimation& animation_for(const std::vector<BoneAnimation>& all, const 
     return all.front();
 }
 
-// A motion that goes a way, and would take the figure off the page, is played where the figure is drawn.
+// A motion that goes a way, along the page or up, and would take the figure off the page, is played without
+// that way.
 BoneAnimation staying_on(const Page& page, const Box& box, const Character& c, BoneAnimation animation) {
     animation = as_filmed(std::move(animation));
-    const auto [least, most] =
-        std::minmax_element(animation.root_translation.begin(), animation.root_translation.end(),
-                            [](Vec3 a, Vec3 b) { return a.x < b.x; });
-    if (most->x - least->x < on_the_spot) return animation;
-    const View reach = view_of(c.rig, {animation});
-    const double middle = box.x + 0.5 * box.width;
-    if (middle + box.height * reach.left < 0 || middle + box.height * (reach.left + reach.width) > page.width)
-        for (Vec3& t : animation.root_translation) t.x = 0;
+    for (double Vec3::*along : {&Vec3::x, &Vec3::y}) {
+        const auto [least, most] =
+            std::minmax_element(animation.root_translation.begin(), animation.root_translation.end(),
+                                [&](const Vec3& a, const Vec3& b) { return a.*along < b.*along; });
+        if ((*most).*along - (*least).*along < on_the_spot) continue;
+        const View reach = view_of(c.rig, {animation});
+        const double middle = box.x + 0.5 * box.width, bottom = box.y + box.height;
+        const bool stays = along == &Vec3::x
+                               ? middle + box.height * reach.left >= 0 &&
+                                     middle + box.height * (reach.left + reach.width) <= page.width
+                               : bottom - box.height * (reach.bottom + reach.height) >= 0 &&
+                                     bottom - box.height * reach.bottom <= page.height;
+        if (stays) continue;
+        for (Vec3& t : animation.root_translation) t.*along = 0;
+    }
     return animation;
 }
 

@@ -154,6 +154,16 @@ TEST_CASE("Values that are no numbers keep what was there before, scales are pas
     CHECK(timeless.repairs.size() == 1);
 }
 
+TEST_CASE("A first frame of the pose at rest is left out where the motion begins elsewhere", "[motion]") {
+    std::string text = replaced(arm, "Frames: 2", "Frames: 3") + "1 1 1 80 0 0 0 0 -80\n";
+    const Motion motion = parse_bvh(text, "arm.bvh");
+    CHECK(motion.frames() == 2);
+    CHECK(motion.values[3] == 90);
+    CHECK(motion.repairs == std::vector<std::string>{"the first frame is the pose at rest and is left out"});
+    text = replaced(text, "1 1 1 90 0 0 0 0 -90", "1 1 1 9 0 0 0 0 -9"); // it begins there and goes on
+    CHECK(parse_bvh(text, "arm.bvh").frames() == 3);
+}
+
 TEST_CASE("Every beginning of a BVH file that does not end with a frame is refused, never a crash",
           "[motion]") {
     for (std::size_t length = 0; length + 2 < arm.size(); ++length) {

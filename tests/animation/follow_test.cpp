@@ -260,6 +260,48 @@ TEST_CASE("A hierarchy that does not stand at rest lets the frames say where up 
     }
 }
 
+TEST_CASE("A body that rolls over while it lies stays straight", "[motion]") {
+    const Rig rig = doll();
+    // From its back over a side to its belly.
+    const auto rolling = [](const std::string& joint, double time) -> Angles {
+        if (joint == "hips") return {0, -90, 180 * time}; // about its own axis
+        if (joint == "left upper arm") return {-90, 0, 0};
+        if (joint == "right upper arm") return {90, 0, 0};
+        return {0, 0, 0};
+    };
+    const BoneAnimation a = performed(rolling, rig);
+    for (std::size_t i = 0; i < a.times.size(); ++i) {
+        CHECK(off(rig, a, trunk, i, 180) == Approx(0).margin(0.5));
+        for (const std::size_t limb : {left_leg, right_leg, left_arm, right_arm})
+            CHECK(off(rig, a, limb, i, 0) == Approx(0).margin(0.5));
+    }
+}
+
+TEST_CASE("Frames that stand and walk along another axis than the rest pose are believed", "[motion]") {
+    const Rig rig = doll();
+    // z up in the frames: the hips are turned by 90° about x, and their way lies on the ground of x and y.
+    const auto tipped = [](const std::string& joint, double time) {
+        return joint == "hips" ? Angles{0, 90, 0} : walking(joint, time);
+    };
+    std::string text = performer(mixamo, tipped, 151);
+    const std::size_t values = text.find('\n', text.find("Frame Time")) + 1;
+    std::string frames;
+    for (std::size_t at = values, i = 0; at < text.size(); ++i) {
+        const std::size_t end = text.find('\n', at),
+                          third = text.find(' ', text.find(' ', text.find(' ', at) + 1) + 1);
+        const double time = static_cast<double>(i) / 30;
+        frames += std::to_string(10 * time) + " " + std::to_string(-40 * time) + " 85" +
+                  text.substr(third, end + 1 - third);
+        at = end + 1;
+    }
+    const BoneAnimation a = followed(text.substr(0, values) + frames, rig);
+    for (std::size_t i = 0; i < a.times.size(); ++i) {
+        const double swing = 30 * std::sin(2 * math::pi * a.times[i]);
+        CHECK(off(rig, a, trunk, i, 90) == Approx(0).margin(0.01));
+        CHECK(off(rig, a, left_leg, i, -90 + swing) == Approx(0).margin(0.01));
+    }
+}
+
 TEST_CASE("A figure that sits from the first frame on has its thighs to the side that it looks to",
           "[motion]") {
     const Rig rig = doll();

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 #include "pantin/error.hpp"
 #include "pantin/motion.hpp"
@@ -205,6 +206,76 @@ TEST_CASE("Controls beside the limbs, each as long as a leg, are no limbs", "[mo
     check_joints(motion, match_joints(motion, "p.bvh"), names);
 }
 
+TEST_CASE("Hair is no arm, strips of a skirt are no legs and no tail", "[motion]") {
+    const SkeletonNames names = meaningless();
+    SkeletonJoint body = person(names);
+    const auto visit = [&](const auto& self, SkeletonJoint& joint) -> void {
+        for (SkeletonJoint& child : joint.children) self(self, child);
+        if (joint.name != names.head) return;
+        for (const double s : {1.0, -1.0}) {
+            const std::string side = s > 0 ? "a" : "b";
+            joint.children.push_back(
+                {side + "h1",
+                 10 * s,
+                 10,
+                 -5,
+                 {{side + "h2", 5 * s, -40, 0, {{side + "h3", 0, -40, 0, {{"", 0, -20, 0, {}}}}}}}});
+        }
+    };
+    visit(visit, body);
+    for (int i = 0; i < 8; ++i) {
+        const double angle = 0.785 * i, x = 15 * std::cos(angle), z = 15 * std::sin(angle);
+        const std::string name = "s" + std::to_string(i);
+        body.children.push_back(
+            {name, x, 0, z, {{name + "m", 0, -25, 0, {{name + "n", 0, -25, 0, {{"", 0, -5, 0, {}}}}}}}});
+    }
+    const Motion motion = motion_of(body);
+    const MotionJoints joints = match_joints(motion, "p.bvh");
+    check_joints(motion, joints, names);
+    CHECK(joints.tail.empty());
+}
+
+TEST_CASE("The hips carry the legs, whatever stands on the ground above them", "[motion]") {
+    SkeletonNames names = schemes[1].second; // CMU
+    names.hips = "center";
+    SkeletonJoint body = person(names);
+    body.y = 90;
+    const SkeletonJoint root{"all", 0, 0, 0, {body, {"ik", 20, 0, 0, {{"", 0, 5, 0, {}}}}}};
+    const Motion motion = motion_of(root);
+    check_joints(motion, match_joints(motion, "p.bvh"), names);
+}
+
+TEST_CASE("Japanese names of MikuMikuDance are known", "[motion]") {
+    const SkeletonNames names = {"左",  "右",    "センター", "上半身", "上半身2", "首",    "頭",      "<肩",
+                                 "<腕", "<ひじ", "<手首",    "<足",    "<ひざ",   "<足首", "<つま先", ""};
+    const Motion motion = motion_of(person(names));
+    check_joints(motion, match_joints(motion, "p.bvh"), names);
+}
+
+TEST_CASE("A person with wings is a person, a body can be named by hand, and so can a face", "[motion]") {
+    const SkeletonNames names = schemes[1].second;
+    SkeletonJoint body = person(names);
+    SkeletonJoint& chest = body.children.back().children[0];
+    for (const double s : {1.0, -1.0}) {
+        const std::string side = s > 0 ? "Left" : "Right";
+        chest.children.push_back(
+            {side + "Wing1",
+             5 * s,
+             10,
+             -8,
+             {{side + "Wing2", 40 * s, 20, 0, {{side + "Wing3", 50 * s, 0, 0, {{"", 20 * s, 0, 0, {}}}}}}}});
+    }
+    SkeletonJoint& head = chest.children[2].children[0];
+    REQUIRE(head.name == "Head");
+    head.children.push_back({"Jaw", 0, -2, 30, {{"", 0, 0, 5, {}}}});
+    const Motion motion = motion_of(body);
+    check_joints(motion, match_joints(motion, "p.bvh"), names);
+    const JointMap bird = parse_motion_map(R"({"body": "bird"})", "map.json");
+    CHECK(match_joints(motion, "p.bvh", bird).plan == BodyPlan::bird);
+    CHECK_THROWS_WITH(parse_motion_map(R"({"body": "fish"})", "map.json"),
+                      Catch::Contains("must be humanoid, quadruped or bird"));
+}
+
 TEST_CASE("A file of two skeletons gives the one that is a body", "[motion]") {
     const SkeletonNames& names = schemes[1].second;
     std::string text = still_motion(person(names));
@@ -236,6 +307,10 @@ TEST_CASE("A map of joints is refused by its key or the joint that is not there"
     CHECK_THROWS_WITH(parse_motion_map(R"({"hips": 3})", "map.json"), Catch::Contains("hips"));
     const Motion motion = motion_of(person(meaningless()));
     CHECK(refusal(motion, {{"hips", "Pelvis"}}) == "p.bvh: has no joint 'Pelvis', which is to play the hips");
+    CHECK(refusal(motion, {{"left thigh", "a7"}}) ==
+          "p.bvh: the left shin, 'a6', does not hang from the left thigh, 'a7'");
+    CHECK(refusal(motion, {{"hips", "vk"}}) ==
+          "p.bvh: the left thigh, 'a5', does not hang from the hips, 'vk'");
 }
 
 TEST_CASE("A skeleton without arms is refused by name and shape", "[motion]") {
