@@ -9,6 +9,8 @@
 #include <map>
 #include <string_view>
 
+#include "core/name_words.hpp"
+
 namespace pantin {
 namespace {
 
@@ -119,25 +121,6 @@ const Word* find_word(std::string_view text) {
     return found == words.end() ? nullptr : &*found;
 }
 
-// Whether letter i of a name is the first of a word: "leftUpLeg", "LUArm".
-bool begins_word(const std::string& name, std::size_t i) {
-    if (i == 0 || !is_letter(name[i - 1])) return true;
-    if (!is_upper(name[i])) return false;
-    return !is_upper(name[i - 1]) ||
-           (i + 1 < name.size() && is_letter(name[i + 1]) && !is_upper(name[i + 1]));
-}
-
-// Small letters; everything that is no letter ends a word. "3" in "Spine3" is left out, too.
-std::vector<std::string> cut_at_marks(const std::string& name) {
-    std::vector<std::string> result;
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        if (!is_letter(name[i])) continue;
-        if (begins_word(name, i)) result.emplace_back();
-        result.back() += lower(name[i]);
-    }
-    return result;
-}
-
 // The known words that make up all of a word, as few as possible; empty: there are none such. Single letters
 // stand at the beginning only: "lfarm" is l, f, arm.
 std::vector<std::string> cut_into_known(const std::string& word) {
@@ -173,7 +156,7 @@ SimpleName simple(const std::string& name) {
                             : BodySide::none,
                     std::string(word.means)};
     std::string qualifier;
-    for (const std::string& marked : cut_at_marks(name)) {
+    for (const std::string& marked : words_of(name)) {
         std::vector<std::string> parts = cut_into_known(marked);
         if (parts.empty()) parts = {marked};
         for (const std::string& part : parts) {
