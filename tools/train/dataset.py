@@ -2,14 +2,16 @@
 # SPDX-License-Identifier: MIT
 """Training data: precomputed shards of (darkness, labels) pairs, and the augmentation that the training loop adds.
 
-usage: dataset.py DATA OUT --source {label_maps,strokes,spg,doodle,people,things} [--rounds N] [--seed S]
+usage: dataset.py DATA OUT --source {label_maps,strokes,more,spg,doodle,people,things} [--rounds N] [--seed S]
 DATA is the folder of the real drawings (its README describes it); for doodle, people (its humanoids) and things the folder that tools/doodle wrote. Writes OUT/<source>_<k>.npy, uint8 (n, 2, 320, 320): darkness
 (0 paper, 255 ink) and part labels (255: not judged), and OUT/<source>_<k>.json with expert and pose of each.
-Drawings of fold 0 (DATA/split.py, held_out) never get in.
+Drawings of fold 0 (DATA/split.py, held_out) never get in; those of more-labelled.ndjson are split by their group, and --without SOURCE
+leaves all of one origin out.
 """
 import argparse
 import csv
 import glob
+import hashlib
 import importlib.util
 import json
 import os
@@ -63,10 +65,30 @@ def frame(strokes, rng):
 
 
 def from_strokes(data, rng, rounds):
-    convert = load_module(f"{data}/../tools/strokes_to_regions.py").convert
     held_out = load_module(f"{data}/split.py").held_out
     records = [json.loads(line) for line in open(f"{data}/strokes/quickdraw-labelled.ndjson")]
-    records = [r for r in records if not held_out(r["id"])]
+    yield from drawn_strokes(data, [r for r in records if not held_out(r["id"])], rng, rounds)
+
+
+def from_more(data, rng, rounds, without=""):
+    records = [json.loads(line) for line in open(f"{data}/strokes/more-labelled.ndjson")]
+    yield from drawn_strokes(data, [r for r in records if group_fold(r) != 0 and r["quality"] > 1 and r["source"] != without], rng, rounds)
+
+
+def group_fold(record):
+    """fold of a drawing of more-labelled.ndjson: all of one person or one picture are in one."""
+    return hashlib.sha1(record["group"].encode()).digest()[0] % 5
+
+
+def expert_of(record):
+    """of its type; of fish and insects, by whether they have wings."""
+    parts = {piece if isinstance(piece, str) else piece[0]
+             for part in record["parts"] for piece in ([part] if isinstance(part, str) else part)}
+    return EXPERT.get(record["type"], WINGED if "wing" in parts else GROUND)
+
+
+def drawn_strokes(data, records, rng, rounds):
+    convert = load_module(f"{data}/../tools/strokes_to_regions.py").convert
     for _ in range(rounds):
         for record in records:
             pen, wobble = frame(record["strokes"], rng)
@@ -74,7 +96,7 @@ def from_strokes(data, rng, rounds):
             image, labels = convert(jitter(record, rng), SIZE, rng.uniform(8, 20), pen, rng.normal(0, 7), wobble, True, info)
             if info.get("open"):
                 continue
-            yield 255 - image, labels, EXPERT[record["type"]], pose_index(FACING.get(record["facing"]))
+            yield 255 - image, labels, expert_of(record), pose_index(FACING.get(record["facing"]))
 
 
 def jitter(record, rng):
@@ -131,7 +153,7 @@ def from_doodle(folder, rng, rounds):
             yield darkness, labels, EXPERT[row["type"]], pose_index(row["pose"])
 
 
-SOURCES = {"label_maps": from_label_maps, "strokes": from_strokes, "spg": from_spg, "doodle": from_doodle, "people": from_doodle,
+SOURCES = {"label_maps": from_label_maps, "strokes": from_strokes, "more": from_more, "spg": from_spg, "doodle": from_doodle, "people": from_doodle,
            "things": from_doodle}
 
 
@@ -268,10 +290,12 @@ def main():
     parser.add_argument("--source", choices=sorted(SOURCES), required=True)
     parser.add_argument("--rounds", type=int, default=1)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--without", help="of `more`: the origin that is left out")
     args = parser.parse_args()
     os.makedirs(args.out, exist_ok=True)
     rng = np.random.default_rng(args.seed)
-    write_shards(args.out, args.source, SOURCES[args.source](args.data, rng, args.rounds))
+    left_out = {"without": args.without} if args.without else {}
+    write_shards(args.out, args.source, SOURCES[args.source](args.data, rng, args.rounds, **left_out))
 
 
 if __name__ == "__main__":

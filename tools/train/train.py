@@ -3,7 +3,7 @@
 """Trains the segmentation network on shards (dataset.py), on the processor, within a given time.
 
 usage: train.py SHARDS OUT --minutes M [--resume CHECKPOINT] [--rate 2e-3] [--batch 16] [--size 256] [--seed 1] [--share source=weight ...]
-                [--start CHECKPOINT]       (weights alone, into a network that may have more blocks)
+                [--start CHECKPOINT_OR_SAFETENSORS]       (weights alone, into a network that may have more blocks)
 AdamW; the rate climbs for 2 %, stays until half of the time and falls along a cosine to zero at its end. Writes OUT/last.pt every few
 minutes (model, moving average of the weights, optimiser, step) and one line per 50 steps on stdout.
 """
@@ -11,10 +11,11 @@ import torch
 import torch.nn.functional as F
 
 import dataset
+import export
 import loop
 from model import EXPERTS, INPUT, LABELS, Segmenter, widen
 
-SHARES = {"label_maps": 0.36, "strokes": 0.24, "spg": 0.12, "doodle": 0.28}
+SHARES = {"label_maps": 0.27, "strokes": 0.16, "more": 0.25, "spg": 0.08, "doodle": 0.24}
 IGNORE = dataset.UNKNOWN
 
 
@@ -55,7 +56,7 @@ def main():
     shards = dataset.Shards(args.shards, shares)
     model = Segmenter(size=args.size)
     if args.start:
-        model.load_state_dict(widen(torch.load(args.start)["average"], model))
+        model.load_state_dict(widen(export.load(args.start).state_dict(), model))
     model = model.to(memory_format=torch.channels_last)
 
     def losses_of(model, rng):
