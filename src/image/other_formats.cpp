@@ -71,7 +71,11 @@ std::string convert_it(const std::string& command, const std::string& file) {
 std::string other_format(ByteView bytes, const std::string& file) {
     const OtherFormat format = format_of(bytes);
     if (format.what.empty()) return "";
-    return "is " + std::string(format.what) + ", which is not read; " +
+    const std::string animates = // vector drawings have a command of their own
+        format.what == "an SVG drawing"
+            ? "pantin model " + shell_word(file) + " -o DIR --animate moves it, or "
+            : "";
+    return "is " + std::string(format.what) + ", which is not read; " + animates +
            convert_it(std::string(format.command), file);
 }
 

@@ -210,6 +210,20 @@ Mask opaque_pixels(const RgbaImage& image) {
     return mask;
 }
 
+RgbImage without_paper(RgbImage drawing, const Mask& opaque, const LabelMap& labels) {
+    const Grid<int> nearest = nearest_seed(opaque);
+    const double sx = static_cast<double>(labels.width()) / drawing.width(),
+                 sy = static_cast<double>(labels.height()) / drawing.height();
+    const RgbImage drawn = drawing;
+    for (int y = 0; y < drawing.height(); ++y)
+        for (int x = 0; x < drawing.width(); ++x) {
+            const int u = static_cast<int>((x + 0.5) * sx), v = static_cast<int>((y + 0.5) * sy);
+            if (opaque(x, y) || nearest(x, y) < 0 || labels.value_or(u, v, 0) == 0) continue;
+            drawing(x, y) = drawn.data()[static_cast<std::size_t>(nearest(x, y))];
+        }
+    return drawing;
+}
+
 DrawingLook look_at(const Painting& painting, const std::string& name, Context& context) {
     const PictureFrame frame = frame_for(painting, name);
     RgbaImage figure = paint(painting, frame.view, frame.width, frame.height);
@@ -234,7 +248,8 @@ DrawingLook look_at(const Painting& painting, const std::string& name, Context& 
     CanvasView view;
     view.scale = character.scale * frame.view.scale;
     view.offset = character.scale * (frame.view.offset + Point2d{0.5, 0.5} - corner) - Point2d{0.5, 0.5};
-    return {{std::move(character.drawing), seen.labels}, view};
+    RgbImage drawing = without_paper(std::move(character.drawing), crop(opaque, character.box), seen.labels);
+    return {{std::move(drawing), seen.labels}, view};
 }
 
 } // namespace pantin

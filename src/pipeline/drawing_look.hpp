@@ -22,6 +22,9 @@ struct DrawingLook {
 // Own; labels: thesis 4.3.
 DrawingLook look_at(const Painting& painting, const std::string& name, Context& context);
 
+// The drawing, of the opaque picture's size, with labelled pixels that are not opaque in the colour of the
+// nearest one that is: what is made thicker than it is drawn has no rim of paper. No error.
+RgbImage without_paper(RgbImage drawing, const Mask& opaque, const LabelMap& labels);
 // Where the picture is opaque. No error.
 Mask opaque_pixels(const RgbaImage& image);
 // Pixels of the mask. No error.

@@ -91,6 +91,24 @@ bool needs_a_look(const Strokes& strokes) {
     return labels.size() < 2 ? open || is_flat(strokes) : open && is_flat(strokes);
 }
 
+std::optional<LabelledStrokes> with_decoration(const Strokes& strokes) {
+    if (strokes.painting.empty() || !is_flat(strokes)) return {};
+    const std::vector<bool> decorates = decoration_of(parts_of(strokes));
+    if (std::find(decorates.begin(), decorates.end(), true) == decorates.end()) return {};
+    LabelledStrokes result{strokes, {}, true};
+    result.strokes.calls.clear();
+    std::size_t part = 0;
+    for (const ModelCall& call : strokes.calls) {
+        const auto* stroke = std::get_if<PartStroke>(&call);
+        if (stroke && decorates[part++])
+            result.strokes.repairs.push_back("part '" + stroke->name +
+                                             "': lies on another one, which it decorates");
+        else
+            result.strokes.calls.push_back(call);
+    }
+    return result;
+}
+
 LabelledStrokes labelled_by_look(const Strokes& strokes, const std::string& name, Context& context) {
     LabelledStrokes result;
     if (!is_flat(strokes)) {

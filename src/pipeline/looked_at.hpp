@@ -24,6 +24,11 @@ struct LabelledStrokes {
 // with names for its parts is left as its names say. No error. Own.
 bool needs_a_look(const Strokes& strokes);
 
+// A drawing all of whose parts have names, without those that lie on a larger part of the same label (eyes on
+// a head): they would be hidden in its solid, so they are shown by the drawing on its surface. Nothing when
+// there is none. No error. Own.
+std::optional<LabelledStrokes> with_decoration(const Strokes& strokes);
+
 // The labels that the part network sees; those that the strokes have, and known names, overrule it. Shapes
 // that are parts keep their strokes; where they are not (one outline of a whole animal, a drawing of many
 // patches) the silhouette is cut by its labels, as a scanned drawing's is. Lines about it in `repairs`.

@@ -11,6 +11,7 @@
 #include "pantin/image.hpp"
 #include "pantin/pipeline.hpp"
 #include "pipeline/context.hpp"
+#include "pipeline/drawing_look.hpp"
 #include "pipeline/looked_at.hpp"
 #include "pipeline/model_sheet.hpp"
 
@@ -34,6 +35,9 @@ Source from_character(const fs::path& folder) {
 
 Strokes from_file(const fs::path& file) {
     const std::string text = read_text(file);
+    if (text.starts_with("\x1f\x8b"))
+        throw Error(ErrorKind::input,
+                    file.string() + ": is compressed (gzip); gunzip makes an .svg file of it");
     std::string ending = file.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
@@ -50,7 +54,7 @@ Source source_of(const fs::path& input) {
 }
 
 // The painting as the view shows it, twice as large as the view.
-RgbImage painted(const Strokes& strokes, const ModelView& view) {
+RgbImage painted(const Strokes& strokes, const ModelView& view, const LabelMap& labels) {
     constexpr int finer = 2;
     CanvasView canvas;
     canvas.scale = finer * view.scale;
@@ -60,7 +64,7 @@ RgbImage painted(const Strokes& strokes, const ModelView& view) {
     RgbImage drawing(figure.width(), figure.height(), Rgb8{255, 255, 255});
     for (std::size_t i = 0; i < drawing.size(); ++i)
         if (const Rgba8 p = figure.data()[i]; is_opaque(p)) drawing.data()[i] = {p.r, p.g, p.b};
-    return drawing;
+    return without_paper(std::move(drawing), opaque_pixels(figure), labels);
 }
 
 Model build(const Strokes& strokes, const std::string& name, const ModelOptions& options) {
@@ -74,7 +78,12 @@ Model build(const Strokes& strokes, const std::string& name, const ModelOptions&
 // What names leave open the part network tells. Strokes without a painting are checked as a model first, so
 // that what is wrong with a stroke is said of it.
 void look_at_parts(Source& source, const fs::path& input, const Settings& settings) {
-    if (source.picture || !needs_a_look(source.strokes)) return;
+    if (source.picture) return;
+    if (!needs_a_look(source.strokes)) {
+        if (std::optional<LabelledStrokes> drawn = with_decoration(source.strokes))
+            source = {std::move(drawn->strokes), std::nullopt, true};
+        return;
+    }
     std::vector<std::string> repairs;
     if (source.strokes.painting.empty())
         repairs = build(source.strokes, input.string(), settings.options.modeling).repairs();
@@ -109,7 +118,7 @@ void model_folder(const fs::path& input, const fs::path& out, const fs::path& ca
     } else {
         view = view_of(model, mesh);
         source.picture = draw(model, view, mesh);
-        if (source.painted) source.picture->drawing = painted(source.strokes, view);
+        if (source.painted) source.picture->drawing = painted(source.strokes, view, source.picture->labels);
     }
     progress("weights", 0.6);
     const Rig rig = model_rig(model, mesh, view, projected ? std::vector<Rgb8>{} : part_colours(model, mesh));

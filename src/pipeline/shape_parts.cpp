@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <tuple>
 
+#include "geometry/extent.hpp"
+#include "modeling/svg_outlines.hpp"
 #include "pantin/error.hpp"
 
 namespace pantin {
@@ -137,6 +140,19 @@ Parts parts_of(const Strokes& strokes) {
 
 Label told(const PartStroke& part) {
     return part.label != Label::background ? part.label : known_label(part.name);
+}
+
+std::vector<bool> decoration_of(const Parts& parts) {
+    std::vector<bool> decorates(parts.size(), false);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        for (std::size_t j = 0; j < i && !decorates[i]; ++j) {
+            const std::vector<Point2d>&own = parts[i]->stroke, &other = parts[j]->stroke;
+            if (decorates[j] || told(*parts[i]) != told(*parts[j])) continue;
+            if (std::abs(area_of(own)) > inside_size * std::abs(area_of(other))) continue;
+            decorates[i] =
+                std::all_of(own.begin(), own.end(), [&](Point2d p) { return winding(other, p) != 0; });
+        }
+    return decorates;
 }
 
 std::optional<Strokes> shapes_as_parts(const Strokes& strokes, const DrawingLook& look,

@@ -17,6 +17,8 @@ Parts parts_of(const Strokes& strokes);
 // The label that the part has or that its name tells; background when neither does. No error.
 Label told(const PartStroke& part);
 
+// Whether each part lies wholly on an earlier one of the same label that is much larger. No error. Own.
+std::vector<bool> decoration_of(const Parts& parts);
 // The strokes with a label for each: its own, or the one that most of what is seen of it has, in an order in
 // which each meets an earlier one; small shapes on larger ones decorate these and are left out, with a line.
 // Nothing when shapes do not part the drawing as the network does, or do not make one skeleton. No error.

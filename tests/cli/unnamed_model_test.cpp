@@ -191,3 +191,19 @@ TEST_CASE("Details that are cut out of an outline stay visible, and a head besid
     CHECK(apart->labels().find("head") != std::string::npos);
     CHECK(apart->reference() == "humanoid");
 }
+
+TEST_CASE("Eyes on a named head are drawn on it, whatever they are called", "[cli][svg]") {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "dog.svg", out = folder / "out";
+    write(file,
+          "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'><g fill='#c84'>"
+          "<ellipse id='body' cx='55' cy='45' rx='25' ry='12'/><circle id='head' cx='22' cy='32' r='12'/>"
+          "<rect id='leg1' x='35' y='50' width='6' height='30'/><rect id='leg2' x='70' y='50' width='6' "
+          "height='30'/></g><circle id='eye' cx='18' cy='30' r='3' fill='#0000ff'/></svg>");
+    const Outcome outcome = run_pantin({"model", file.string(), "-o", out.string()});
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.out.find("part 'eye': lies on another one, which it decorates") != std::string::npos);
+    CHECK(read(out / "model.json").find("\"eye\"") == std::string::npos);
+    const RgbImage drawing = load_image(out / "drawing.png");
+    CHECK(std::count(drawing.begin(), drawing.end(), Rgb8{0, 0, 255}) > 50);
+}

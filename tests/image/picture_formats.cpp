@@ -481,7 +481,9 @@ TEST_CASE("Other formats are named, with the command that converts them", "[imag
     check("%PDF-1.7\n", "page.pdf",
           "is a PDF document, which is not read; convert it: pdftoppm -r 150 -png page.pdf page");
     check("<?xml version='1.0'?>\n<svg xmlns='http://www.w3.org/2000/svg'/>", "page.svg",
-          "is an SVG drawing, which is not read; convert it: rsvg-convert -b white -o page.png page.svg");
+          "is an SVG drawing, which is not read; pantin model page.svg -o DIR --animate moves it, or convert "
+          "it: rsvg-convert -b white "
+          "-o page.png page.svg");
     check("\xff\x0a............", "page.jxl",
           "is a JPEG XL image, which is not read; convert it: djxl page.jxl page.png");
     check("8BPS............", "page.psd",

@@ -518,3 +518,93 @@ TEST_CASE("Painting covers pixels by area, over what is below") {
     CHECK(paint({{{big, inner}, false, {}, 1, false}}, {}, 4, 4)(2, 2).a == 255);
     CHECK(paint({{{big, inner}, true, {}, 1, false}}, {}, 4, 4)(2, 2).a == 0);
 }
+
+// --- what stands beside the figure
+// ---------------------------------------------------------------------------
+
+namespace {
+
+const std::string dog =
+    "<ellipse id='p1' cx='50' cy='45' rx='25' ry='12'/><circle id='p2' cx='22' cy='30' r='10'/>"
+    "<rect id='p3' x='32' y='50' width='6' height='28'/><rect id='p4' x='62' y='50' width='6' height='28'/>";
+const Lines dog_names = {"p1", "p2", "p3", "p4"};
+
+bool has_line(const Strokes& strokes, const std::string& text) {
+    return std::any_of(strokes.repairs.begin(), strokes.repairs.end(),
+                       [&](const std::string& line) { return line.find(text) != std::string::npos; });
+}
+
+} // namespace
+
+TEST_CASE("An element that cannot be read is left out with a line, the others stay", "[svg]") {
+    for (const std::string bad :
+         {"<path id='b' d='M 1 2 L nonsense'/>", "<circle id='b' cx='undefined' cy='3' r='4'/>",
+          "<polygon id='b' points='1 2 3'/>", "<rect id='b' x='NaN' y='0' width='5' height='5'/>",
+          "<g id='b' transform='spin(3)'><rect width='5' height='5'/></g>"}) {
+        CAPTURE(bad);
+        const Strokes strokes = svg(dog + bad, "viewBox='0 0 100 100'");
+        CHECK(names_of(strokes) == dog_names);
+        REQUIRE(strokes.repairs.size() == 1);
+        CHECK(strokes.repairs[0].find(" 'b': ") != std::string::npos);
+        CHECK(strokes.repairs[0].ends_with(", left out"));
+    }
+    // Alone it is an error that says why, and so is a mistake in an attribute of ours.
+    CHECK(svg_error("<path id='b' d='M 1 2 L nonsense'/>").starts_with("drawing.svg: path 'b': "));
+    CHECK(svg_error(dog + "<rect width='5' height='5' data-depth='deep'/>").find("data-depth") !=
+          std::string::npos);
+}
+
+TEST_CASE("Frames, bands across the page and shadows on the ground are no parts", "[svg]") {
+    const auto left_out = [&](const std::string& behind, const std::string& why) {
+        const Strokes strokes = svg(behind + dog, "viewBox='0 0 100 100'");
+        CAPTURE(behind);
+        CHECK(names_of(strokes) == dog_names);
+        CHECK(has_line(strokes, why));
+    };
+    left_out("<rect x='5' y='5' width='90' height='85' fill='none' stroke='black' stroke-width='2'/>",
+             "a frame around everything");
+    left_out("<path fill-rule='evenodd' fill='white' d='M2 2H98V98H2Z M6 6V94H94V6Z'/>", ", left out");
+    left_out(
+        "<rect width='100' height='60' fill='skyblue'/><rect y='60' width='100' height='40' fill='green'/>",
+        "a ground as wide as the page");
+    left_out("<ellipse cx='50' cy='79' rx='30' ry='4' fill='black' fill-opacity='.2'/>",
+             "a shadow on the ground");
+    left_out("<ellipse cx='50' cy='79' rx='30' ry='4' fill='#bbb'/>", "a shadow on the ground");
+    // A skateboard is none of these, nor is a shape that has a name, nor the outline of a face.
+    const auto kept = [&](const std::string& shape, std::size_t parts) {
+        CAPTURE(shape);
+        CHECK(svg(shape + dog, "viewBox='0 0 100 100'").calls.size() == parts);
+    };
+    kept("<ellipse cx='50' cy='79' rx='30' ry='4' fill='crimson'/>", 5);
+    kept("<ellipse id='foot' cx='50' cy='79' rx='30' ry='4' fill='#bbb'/>", 5);
+    CHECK(svg("<circle cx='50' cy='50' r='45' fill='none' stroke='black' stroke-width='4'/>"
+              "<circle cx='35' cy='40' r='5'/><circle cx='65' cy='40' r='5'/>",
+              "viewBox='0 0 100 100'")
+              .calls.size() == 3);
+}
+
+TEST_CASE("Transforms turn about their origin; the outermost element is :root, screens are all media",
+          "[svg]") {
+    const auto corner = [](const std::string& attributes) {
+        const Line stroke =
+            only_part(svg("<rect width='10' height='4' " + attributes + "/>", "viewBox='0 0 100 60'")).stroke;
+        return stroke.front();
+    };
+    const auto is_at = [&](const std::string& attributes, Point2d p) {
+        CAPTURE(attributes);
+        CHECK(distance(corner(attributes), p) < 1e-9);
+    };
+    is_at("transform='rotate(180)' transform-origin='20 10'", {40, 20});
+    is_at("transform='rotate(180)' style='transform-origin: 50% 50%'", {100, 60});
+    is_at("transform='rotate(180)' style='transform-origin: right bottom'", {200, 120});
+    is_at("style='transform: rotate(180deg); transform-origin: 20px 10px'", {40, 20});
+    is_at("transform='translate(3 4)' transform-origin='20 10'", {3, 4});
+    const auto colour = [](const std::string& css) {
+        return only_part(svg("<style>" + css + "</style><rect width='10' height='4' class='a'/>")).colour;
+    };
+    const Rgb8 red{255, 0, 0};
+    CHECK(colour(":root { --fur: #f00 } .a { fill: var(--fur) }") == red);
+    CHECK(colour("@media screen { .a { fill: #f00 } }") == red);
+    CHECK(colour("@media all { .a { fill: #f00 } } .b { fill: blue }") == red);
+    CHECK(colour("@media print { .a { fill: blue } } .a { fill: #f00 }") == red);
+}

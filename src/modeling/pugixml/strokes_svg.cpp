@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -29,6 +30,11 @@ constexpr std::size_t most_shown = 40;         // characters of a value in a mes
 [[noreturn]] void fail(const std::string& where, const std::string& fact) {
     throw Error(ErrorKind::input, where + ": " + fact);
 }
+
+// What ends the whole drawing, not one element of it.
+struct Endless : Error {
+    Endless(const std::string& file, const std::string& fact) : Error(ErrorKind::input, file + ": " + fact) {}
+};
 
 // What an element has from those around it.
 struct Surroundings {
@@ -68,8 +74,10 @@ private:
     std::vector<std::vector<std::vector<Point2d>>> thin_; // lines of each shape that are too thin for a part
     std::vector<std::string> repairs_;
     std::string first_unused_; // why the first shape is no part
+    std::string first_error_;  // of an element that cannot be read
     std::size_t met_ = 0;
     bool clipped_ = false;
+    bool attributes_ = false; // are being read
 
     // Style sheets and ids of the whole document.
     void prepare(pugi::xml_node node, int depth) {
@@ -114,6 +122,7 @@ private:
         for (std::size_t i = 0; i < shapes_.size(); ++i) shapes_[i].outlines = std::move(thin_[i]);
     }
     [[noreturn]] void refuse() const {
+        if (!first_error_.empty()) fail(file_, first_error_);
         if (first_unused_.empty())
             fail(file_, "holds no path, polygon, polyline, rect, circle, ellipse or line");
         fail(file_, "no shape can be a part; " + first_unused_);
@@ -125,7 +134,28 @@ private:
 
     // --- elements ------------------------------------------------------------------------------------------
 
+    // An element that cannot be read is left out, and with a group what is in it.
     void visit(pugi::xml_node node, const Surroundings& outer) {
+        try {
+            visit_any(node, outer);
+        } catch (const Endless&) {
+            throw;
+        } catch (const Error& error) {
+            if (attributes_) throw;
+            std::string fact = error.what();
+            const std::string element = described(node, attribute(node, "id"));
+            if (fact.starts_with(file_ + ": ")) fact.erase(0, file_.size() + 2);
+            // It names the element itself, by its label.
+            const std::size_t place = fact.starts_with(std::string(kind_of(node))) ? fact.find(": ") : 0;
+            const bool own = place != 0 && place != std::string::npos;
+            if (first_error_.empty()) first_error_ = own ? fact : element + ": " + fact;
+            if (own)
+                leave_out(fact.substr(0, place), fact.substr(place + 2));
+            else
+                leave_out(element, fact);
+        }
+    }
+    void visit_any(pugi::xml_node node, const Surroundings& outer) {
         const std::string_view kind = kind_of(node);
         if (among(kind, {"svg", "g", "a"}))
             visit_group(node, outer);
@@ -147,10 +177,11 @@ private:
     // Nothing when the element is not displayed.
     std::optional<Surroundings> enter(pugi::xml_node node, const Surroundings& outer,
                                       const std::string& element) {
-        if (++met_ > most_elements) fail(file_, "more than " + std::to_string(most_elements) + " elements");
+        if (++met_ > most_elements)
+            throw Endless(file_, "more than " + std::to_string(most_elements) + " elements");
         const std::string where = file_ + ": " + element;
         Surroundings inner = outer;
-        if (++inner.depth > deepest) fail(file_, "groups are nested too deeply");
+        if (++inner.depth > deepest) throw Endless(file_, "groups are nested too deeply");
         const Style style = sheets_.style_of(node);
         inner.look = outer.look.inside(style);
         if (!inner.look.displayed()) {
@@ -161,11 +192,37 @@ private:
         const std::string own = one_line(node.attribute("transform").value());
         const auto styled = style.find("transform");
         const bool from_style = styled != style.end();
-        if (from_style || !own.empty())
-            inner.transform = moderate(
-                outer.transform * transform_of(from_style ? styled->second : own, from_style, element, where),
-                where);
+        if (from_style || !own.empty()) {
+            Affine step = transform_of(from_style ? styled->second : own, from_style, element, where);
+            if (const auto origin = style.find("transform-origin"); origin != style.end())
+                step = about(origin_of(origin->second, style, outer.viewport, element, where), step);
+            inner.transform = moderate(outer.transform * step, where);
+        }
         return inner;
+    }
+    static Affine about(Point2d o, const Affine& step) {
+        return Affine{1, 0, 0, 1, o.x, o.y} * step * Affine{1, 0, 0, 1, -o.x, -o.y};
+    }
+    // Two lengths, shares of the viewport, or words (CSS Transforms 1, 6 and 8); of the shape's own box only
+    // the origin 0 0 is known.
+    Point2d origin_of(const std::string& text, const Style& style, const Viewport& port,
+                      const std::string& element, const std::string& where) {
+        const auto box = style.find("transform-box");
+        if (box != style.end() && box->second != "view-box") {
+            repairs_.push_back(element + ": transform-box is not followed");
+            return {};
+        }
+        std::istringstream words(text);
+        std::vector<double> xy;
+        for (std::string word; words >> word && xy.size() < 2;) {
+            const double whole = xy.empty() ? port.width : port.height;
+            if (word == "left" || word == "top") word = "0";
+            if (word == "center") word = "50%";
+            if (word == "right" || word == "bottom") word = "100%";
+            xy.push_back(svg_length(word, where + ": transform-origin", whole));
+        }
+        if (xy.empty()) return {};
+        return {xy[0], xy.size() > 1 ? xy[1] : 0.5 * port.height};
     }
     // CSS writes units: "translate(3px, 4px) rotate(30deg)". What goes beyond the attribute's language is
     // said and not followed.
@@ -308,8 +365,10 @@ private:
         const ShapeOutlines made =
             add_outlines(shape, node, {own->transform, own->viewport, own->look, fill, stroke, where});
         if (made.empty) return leave_out(element, "empty");
+        attributes_ = true; // our own: a mistake in them is the user's, and told as one
         add_attributes(node, where, shape.attributes);
         if (by_use) add_attributes(outer.use, where, shape.attributes);
+        attributes_ = false;
         if (shape.outlines.empty()) leave_out(element, made.thin.empty() ? "has no area" : "a thin line");
         if (shape.painting.empty()) return;
         shapes_.push_back(std::move(shape));

@@ -17,9 +17,13 @@ namespace {
 constexpr double ground_share = 0.95; // of the page, and of its own box, that a ground fills
 constexpr double disc_share = 0.78;   // of its box, that a disc or a rounded sheet fills at least
 constexpr double badge_share = 0.6;   // of the points of what is on a disc that lie inside it
-constexpr double page_slack = 0.01;   // of the page's sides: so far beyond it a shape still counts as seen
-constexpr double same_share = 0.004;  // of the diagonal: boxes so near are those of one shape …
-constexpr double same_area = 0.03;    // … when their areas differ no more
+constexpr double frame_share = 0.93;  // of its box, that a frame encloses …
+constexpr double framed_share = 0.5;  // … and of its sides, what stands in it
+constexpr double shadow_flatness = 2.5, shadow_width = 0.3, shadow_depth = 0.85; // of what casts it
+constexpr int grey_spread = 40;                                                  // between the channels
+constexpr double page_slack = 0.01;  // of the page's sides: so far beyond it a shape still counts as seen
+constexpr double same_share = 0.004; // of the diagonal: boxes so near are those of one shape …
+constexpr double same_area = 0.03;   // … when their areas differ no more
 
 struct Extent {
     Point2d low, high;
@@ -57,6 +61,8 @@ public:
 
     Strokes strokes(const std::optional<ViewBox>& page, const Json& origin) {
         if (page) leave_out_unseen({{page->x, page->y}, {page->x + page->width, page->y + page->height}});
+        leave_out_frames();
+        leave_out_shadows();
         leave_out_copies();
         settle_labels();
         Painting painting;
@@ -98,6 +104,85 @@ private:
             else
                 leave_out(i, "outside the page");
         while (shapes_.size() > 1 && is_ground(page, slack)) leave_out(0, "a ground that covers the page");
+        leave_out_bands(page, slack);
+    }
+    // Bands across the page behind everything that cover it together: sky and grass.
+    void leave_out_bands(const Extent& page, double slack) {
+        std::size_t bands = 0;
+        double covered = 0;
+        while (bands + 1 < shapes_.size() && is_band(shapes_[bands], page, slack)) {
+            const Extent own = extent_of(shapes_[bands++]);
+            covered += std::min(own.high.y, page.high.y) - std::max(own.low.y, page.low.y);
+        }
+        if (bands < 2 || covered < ground_share * page.height()) return;
+        while (bands-- > 0) leave_out(0, "a ground as wide as the page");
+    }
+    static bool is_band(const GatheredShape& shape, const Extent& page, double slack) {
+        if (!shape.filled || shape.outlines.size() != 1 || !shape.attributes.empty() || is_named(shape))
+            return false;
+        const Extent own = extent_of(shape);
+        return own.low.x <= page.low.x + slack && own.high.x >= page.high.x - slack &&
+               std::abs(area_of(shape.outlines[0])) >= ground_share * own.area();
+    }
+    static bool is_named(const GatheredShape& shape) {
+        return known_label(shape.name) != Label::background || shape.label != Label::background;
+    }
+    Extent extent_without(std::size_t but) const {
+        std::optional<Extent> all;
+        for (std::size_t i = 0; i < shapes_.size(); ++i)
+            if (i != but && !shapes_[i].outlines.empty()) {
+                const Extent own = extent_of(shapes_[i]);
+                add(all, {own.low, own.high});
+            }
+        return all.value_or(Extent{});
+    }
+
+    // Rectangles without fill, or with a hole for a fill, that stand around everything else.
+    void leave_out_frames() {
+        for (std::size_t i = 0; i < shapes_.size();)
+            if (is_frame(i))
+                leave_out(i, "a frame around everything");
+            else
+                ++i;
+    }
+    bool is_frame(std::size_t i) const {
+        const GatheredShape& shape = shapes_[i];
+        if (shape.outlines.size() != 1 || is_named(shape) || !shape.attributes.empty()) return false;
+        const Extent own = extent_of(shape), others = extent_without(i);
+        if (!(others.area() > 0) || !own.holds(others, 0)) return false;
+        if (std::abs(area_of(shape.outlines[0])) < frame_share * own.area()) return false;
+        if (shape.filled && !is_hollow(shape.painting.front(), others)) return false;
+        return std::max(others.width() / own.width(), others.height() / own.height()) >= framed_share;
+    }
+    // A fill with a hole in which everything else lies.
+    static bool is_hollow(const PaintedShape& fill, const Extent& others) {
+        if (fill.outlines.size() != 2) return false;
+        std::optional<Extent> a, b;
+        add(a, fill.outlines[0]), add(b, fill.outlines[1]);
+        return (a->area() < b->area() ? *a : *b).holds(others, 0);
+    }
+
+    // Flat grey or translucent ellipses below the feet, behind what stands there.
+    void leave_out_shadows() {
+        for (std::size_t i = 0; i + 1 < shapes_.size();)
+            if (is_shadow(i))
+                leave_out(i, "a shadow on the ground");
+            else
+                ++i;
+    }
+    bool is_shadow(std::size_t i) const {
+        const GatheredShape& shape = shapes_[i];
+        if (!shape.filled || shape.outlines.size() != 1 || is_named(shape) || !shape.attributes.empty())
+            return false;
+        const Extent own = extent_of(shape), others = extent_without(i);
+        const PaintedShape& fill = shape.painting.front();
+        const int spread = std::max({fill.colour.r, fill.colour.g, fill.colour.b}) -
+                           std::min({fill.colour.r, fill.colour.g, fill.colour.b});
+        const bool flat = own.width() >= shadow_flatness * own.height() &&
+                          own.width() >= shadow_width * others.width() &&
+                          std::abs(area_of(shape.outlines[0])) >= 0.9 * disc_share * own.area();
+        const bool below = 0.5 * (own.low.y + own.high.y) >= others.low.y + shadow_depth * others.height();
+        return others.area() > 0 && flat && below && (fill.opacity < 1 || spread <= grey_spread);
     }
     // Whether the first shape is a sheet or a disc as large as the page, which holds all others.
     bool is_ground(const Extent& page, double slack) const {

@@ -12,10 +12,10 @@ namespace pantin::svg {
 namespace {
 
 // The attributes that are properties, too (SVG 2, 6.6), as far as shapes depend on them.
-constexpr auto presentation =
-    std::to_array<const char*>({"clip-path", "color", "display", "fill", "fill-opacity", "fill-rule", "mask",
-                                "opacity", "stroke", "stroke-linecap", "stroke-linejoin", "stroke-miterlimit",
-                                "stroke-opacity", "stroke-width", "vector-effect", "visibility"});
+constexpr auto presentation = std::to_array<const char*>(
+    {"clip-path", "color", "display", "fill", "fill-opacity", "fill-rule", "mask", "opacity", "stroke",
+     "stroke-linecap", "stroke-linejoin", "stroke-miterlimit", "stroke-opacity", "stroke-width",
+     "transform-box", "transform-origin", "vector-effect", "visibility"});
 
 constexpr std::size_t longest_selector = 4; // elements; so that no sheet takes for ever
 
@@ -49,6 +49,12 @@ std::size_t behind_block(std::string_view css, std::size_t open) {
         if (css[at] == '}' && --depth == 0) return at + 1;
     }
     return css.size();
+}
+
+// "@media screen", "@media all": conditions are not looked at.
+bool is_for_screens(std::string_view rule) {
+    const std::string text = small(one_line(rule));
+    return text == "@media screen" || text == "@media all" || text == "@media only screen";
 }
 
 } // namespace
@@ -88,7 +94,14 @@ bool StyleSheets::read_selector(std::string_view text, Rule& rule) {
         Simple simple;
         simple.child = child;
         child = false;
-        for (bool first = true; at < line.size() && line[at] != ' ' && line[at] != '>'; first = false) {
+        if (line.substr(at).starts_with(":root")) { // the outermost element
+            simple.element = "svg";
+            simple.root = true;
+            at += 5;
+            rule.specificity += 100;
+        }
+        for (bool first = !simple.root; at < line.size() && line[at] != ' ' && line[at] != '>';
+             first = false) {
             const char mark = line[at];
             if (mark == '*' && first) {
                 ++at;
@@ -120,6 +133,12 @@ void StyleSheets::add(std::string_view given) {
         const std::size_t open = css.find('{', at);
         if (css[at] == '@') {
             const std::size_t end = css.find(';', at);
+            if (open < end && is_for_screens(std::string_view(css).substr(at, open - at))) {
+                const std::size_t behind = behind_block(css, open);
+                add(std::string_view(css).substr(open + 1, behind - open - 2));
+                at = behind;
+                continue;
+            }
             at = end < open ? end + 1 : open == std::string::npos ? css.size() : behind_block(css, open);
             continue;
         }
@@ -145,6 +164,7 @@ void StyleSheets::add(std::string_view given) {
 bool StyleSheets::matches(const Simple& simple, pugi::xml_node node) {
     if (node.type() != pugi::node_element) return false;
     if (!simple.element.empty() && simple.element != kind_of(node)) return false;
+    if (simple.root && node.parent().type() != pugi::node_document) return false;
     if (!simple.id.empty() && simple.id != attribute(node, "id")) return false;
     const std::string classes = " " + attribute(node, "class") + " ";
     return std::all_of(simple.classes.begin(), simple.classes.end(), [&](const std::string& c) {

@@ -30,6 +30,7 @@ private:
     struct Simple {
         std::string element, id;
         std::vector<std::string> classes;
+        bool root = false;  // the outermost element
         bool child = false; // of the element of the selector before it; else anywhere inside
     };
     struct Declaration {
