@@ -79,6 +79,7 @@ std::vector<int> douglas_peucker(const std::vector<Point2d>& line, double tolera
 struct SimplePolygonOptions {
     int samples = 200;         // points on the stroke at equal arc length; 0: the stroke's own points
     double tolerance = 0.0025; // of Douglas–Peucker, share of the diagonal
+    int finer = 3;             // how often a tenth of it is tried on a stroke that it flattens
 };
 struct SimplePolygon {
     std::vector<Point2d> corners; // interior on the left where y points up
@@ -86,9 +87,10 @@ struct SimplePolygon {
     int uncrossed = 0;            // crossings of a thin strip, whose sides were exchanged
 };
 // Closes the stroke (points in any unit, the result in the same), samples it evenly, simplifies it, cuts
-// crossings off, or uncrosses them where cutting would take a piece of a thin strip's length. Error(input)
-// for a coordinate that is not a number and for a stroke without area. Ma et al. 2021, 3.1, "Simple polygon
-// acquisition".
+// crossings off, or uncrosses them where cutting would take a piece of a thin strip's length. A stroke so
+// thin that nothing of its area is left is simplified with a tenth of the tolerance, up to `finer` times
+// (own). Error(input) for a coordinate that is not a number and for a stroke without area. Ma et al.
+// 2021, 3.1, "Simple polygon acquisition".
 SimplePolygon simple_polygon(const std::vector<Point2d>& stroke, const SimplePolygonOptions& options = {});
 
 } // namespace pantin

@@ -18,7 +18,7 @@ namespace {
 constexpr double trunk_share = 0.2; // of a limb's first bone is the trunk's, where the two meet
 constexpr double inner_share = 0.4; // of a bone from inside of the trunk to a limb is the trunk's
 constexpr double head_begins = 0.6, head_ends = 1.6; // of the bone to the middle of a head
-constexpr int long_chain = 3;                        // joints: the first one lies where the limb begins
+constexpr int going_on = 2; // joints of a chain: the first lies where the limb begins, as a hip does
 constexpr std::size_t most_pairs = 12; // beginnings of limbs between which all lines are the trunk's
 
 Point2d between(Point2d a, Point2d b, double share) { return a + share * (b - a); }
@@ -75,7 +75,7 @@ private:
     bool begins_at(int j) const {
         const Label label = labels_[j];
         return label != Label::body && label != Label::head &&
-               (begins_limb(joints_[j].name) || tree_.length(j) >= long_chain);
+               (begins_limb(joints_[j].name) || tree_.length(j) >= going_on);
     }
 
     void add_joint(int j) {

@@ -19,7 +19,7 @@ constexpr LabelSet chains{Label::limb, Label::tail, Label::wing};
 class JointLabeller {
 public:
     explicit JointLabeller(const std::vector<FigureJoint>& joints)
-        : joints_(joints), tree_(joints), beyond_(joints.size(), 0) {
+        : joints_(joints), tree_(joints), beyond_(joints.size(), 0), fin_(joints.size(), 0) {
         for (const FigureJoint& joint : joints) named_.push_back(label_of_joint_name(joint.name));
         labels_ = named_;
     }
@@ -48,7 +48,11 @@ private:
     void decide(int j) {
         const int parent = joints_[j].parent;
         const Label above = parent < 0 ? Label::background : labels_[parent];
-        if (named_[j] == Label::limb) { // a wing has an elbow
+        const bool on_fin = parent >= 0 && fin_[parent] && named_[j] == Label::background;
+        fin_[j] = on_fin || is_fin(joints_[j].name);
+        if (fin_[j]) { // a fish's tail ends in fins
+            labels_[j] = chains.contains(above) || above == Label::head ? above : Label::body;
+        } else if (named_[j] == Label::limb) { // a wing has an elbow
             if (above == Label::wing || above == Label::tail) labels_[j] = above;
             if (beyond_[j] & bit(Label::wing)) labels_[j] = Label::wing;
         } else if (named_[j] == Label::body && is_neck(joints_[j].name)) {
@@ -73,6 +77,7 @@ private:
     const FigureTree tree_;
     std::vector<Label> named_, labels_;
     std::vector<unsigned> beyond_;
+    std::vector<char> fin_; // of a fin, or unnamed on one
 };
 
 double distance_to(const LabelledBone& bone, Point2d p) {

@@ -19,17 +19,17 @@ struct Known {
 };
 // In the singular, sorted.
 constexpr auto joint_words = std::to_array<Known>({
-    {"ankle", Label::limb},      {"calf", Label::limb},     {"clavicle", Label::limb},
-    {"collarbone", Label::limb}, {"elbow", Label::limb},    {"feather", Label::wing},
-    {"feeler", Label::head},     {"femur", Label::limb},    {"fetlock", Label::limb},
-    {"fin", Label::limb},        {"flipper", Label::limb},  {"heel", Label::limb},
-    {"hip", Label::body},        {"hock", Label::limb},     {"hoove", Label::limb},
-    {"humerus", Label::limb},    {"knee", Label::limb},     {"limb", Label::limb},
-    {"pastern", Label::limb},    {"pelvis", Label::body},   {"proboscis", Label::head},
-    {"root", Label::body},       {"rump", Label::body},     {"scapula", Label::limb},
-    {"shin", Label::limb},       {"shoulder", Label::limb}, {"spine", Label::body},
-    {"stifle", Label::limb},     {"tentacle", Label::limb}, {"thigh", Label::limb},
-    {"thumb", Label::limb},      {"tibia", Label::limb},    {"waist", Label::body},
+    {"ankle", Label::limb},    {"calf", Label::limb},       {"caudal", Label::tail},
+    {"clavicle", Label::limb}, {"collarbone", Label::limb}, {"elbow", Label::limb},
+    {"feather", Label::wing},  {"feeler", Label::head},     {"femur", Label::limb},
+    {"fetlock", Label::limb},  {"flipper", Label::limb},    {"fluke", Label::tail},
+    {"heel", Label::limb},     {"hip", Label::body},        {"hock", Label::limb},
+    {"hoove", Label::limb},    {"humerus", Label::limb},    {"knee", Label::limb},
+    {"pastern", Label::limb},  {"pelvis", Label::body},     {"proboscis", Label::head},
+    {"root", Label::body},     {"rump", Label::body},       {"scapula", Label::limb},
+    {"shin", Label::limb},     {"shoulder", Label::limb},   {"spine", Label::body},
+    {"stifle", Label::limb},   {"tentacle", Label::limb},   {"thigh", Label::limb},
+    {"thumb", Label::limb},    {"tibia", Label::limb},      {"waist", Label::body},
     {"wrist", Label::limb},
 });
 
@@ -43,7 +43,15 @@ bool is_one_of(std::string_view word, const std::array<std::string_view, count>&
     return std::any_of(words.begin(), words.end(), [&](std::string_view w) { return is(word, w); });
 }
 
+// "fins", and written together with its side, "leftfin", as label_of_word() splits it.
+bool says_fin(std::string_view word) {
+    return is(word, "fin") ||
+           (label_of_word(word) == Label::limb && (word.ends_with("fin") || word.ends_with("fins")));
+}
+
 Label label_of_joint_word(std::string_view word) {
+    // A fin is no leg: one of the back or the side is body, as in the training data.
+    if (says_fin(word)) return Label::body;
     for (const Known& known : joint_words)
         if (is(word, known.word)) return known.label;
     return label_of_word(word);
@@ -83,6 +91,11 @@ bool begins_limb(const std::string& name) {
             more = more || !is_one_of(word, middles);
     }
     return (hip && more) || (begins && known);
+}
+
+bool is_fin(const std::string& name) {
+    const std::vector<std::string> words = words_of(name);
+    return label_of_joint_name(name) == Label::body && std::any_of(words.begin(), words.end(), says_fin);
 }
 
 bool is_neck(const std::string& name) {

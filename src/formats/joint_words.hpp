@@ -14,6 +14,8 @@ Label label_of_joint_name(const std::string& name);
 // Whether a limb, wing or tail begins at the joint, on the border of the trunk: a shoulder, the hip of a side
 // or of a number, "tail_base". No error. Own.
 bool begins_limb(const std::string& name);
+// Whether it is a fin and nothing else: no "tail_fin". No error. Own.
+bool is_fin(const std::string& name);
 // Whether it is a neck. No error. Own.
 bool is_neck(const std::string& name);
 

@@ -16,6 +16,7 @@ constexpr double no_area = 1e-9; // of the diagonal squared
 // leave.
 constexpr int most_uncrossed = 1000; // rounding could undo what it did
 constexpr double thin = 0.02, least_left = 0.95;
+constexpr double finer = 0.1; // of a tolerance that flattens the stroke, the next one
 
 [[noreturn]] void fail(const char* what) { throw Error(ErrorKind::input, std::string("stroke: ") + what); }
 
@@ -79,6 +80,18 @@ std::vector<Point2d> simplified(const std::vector<Point2d>& loop, double toleran
     return result;
 }
 
+// Without crossings, interior on the left; no corners when nothing of its area is left.
+SimplePolygon uncrossed_polygon(std::vector<Point2d> loop, double diagonal) {
+    SimplePolygon polygon;
+    while (loop.size() > 3 && cut_crossing(loop, polygon)) {
+    }
+    const double area = loop.size() < 3 ? 0 : area_of(loop);
+    if (std::abs(area) <= no_area * diagonal * diagonal) return {};
+    if (area < 0) std::reverse(loop.begin(), loop.end());
+    polygon.corners = std::move(loop);
+    return polygon;
+}
+
 } // namespace
 
 SimplePolygon simple_polygon(const std::vector<Point2d>& stroke, const SimplePolygonOptions& options) {
@@ -90,15 +103,12 @@ SimplePolygon simple_polygon(const std::vector<Point2d>& stroke, const SimplePol
     if (!(closed.back() == closed.front())) closed.push_back(closed.front());
     std::vector<Point2d> loop = options.samples > 0 ? resample(closed, options.samples + 1) : closed;
     loop.pop_back();
-    loop = simplified(loop, options.tolerance * diagonal);
-    SimplePolygon polygon;
-    while (loop.size() > 3 && cut_crossing(loop, polygon)) {
-    }
-    const double area = loop.size() < 3 ? 0 : area_of(loop);
-    if (std::abs(area) <= no_area * diagonal * diagonal) fail("has no area");
-    if (area < 0) std::reverse(loop.begin(), loop.end());
-    polygon.corners = std::move(loop);
-    return polygon;
+    double tolerance = options.tolerance * diagonal;
+    for (int k = 0; k <= options.finer; ++k, tolerance *= finer)
+        if (SimplePolygon polygon = uncrossed_polygon(simplified(loop, tolerance), diagonal);
+            !polygon.corners.empty())
+            return polygon;
+    fail("has no area");
 }
 
 } // namespace pantin

@@ -3,6 +3,7 @@
 #include "pipeline/given_mask.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "core/file.hpp"
 
@@ -20,6 +21,17 @@ Mask opaque_part(const RgbaImage& picture) {
     std::transform(picture.begin(), picture.end(), mask.begin(),
                    [](Rgba8 p) -> std::uint8_t { return is_opaque(p); });
     if (std::count(mask.begin(), mask.end(), 1) == std::ssize(mask)) std::fill(mask.begin(), mask.end(), 0);
+    return mask;
+}
+
+bool is_empty(const Mask& mask) { return std::count(mask.begin(), mask.end(), 1) == 0; }
+
+// Of a mask that was written as 0 and 1: the ones; none when a value is larger.
+Mask ones_of(const GreyImage& grey, const RgbaImage& picture) {
+    Mask mask(grey.width(), grey.height());
+    if (*std::max_element(grey.begin(), grey.end()) > 1) return mask;
+    std::transform(grey.begin(), grey.end(), picture.begin(), mask.begin(),
+                   [](std::uint8_t value, Rgba8 p) -> std::uint8_t { return value == 1 && is_opaque(p); });
     return mask;
 }
 
@@ -45,11 +57,18 @@ GivenMask load_given_mask(const std::filesystem::path& file, int rotate) {
     GivenMask given{Mask(grey.width(), grey.height()), ""};
     std::transform(grey.begin(), grey.end(), picture.begin(), given.mask.begin(),
                    [](std::uint8_t value, Rgba8 p) -> std::uint8_t { return value * p.a >= inside * 255; });
-    if (std::count(given.mask.begin(), given.mask.end(), 1) == 0) given.mask = opaque_part(picture);
+    if (is_empty(given.mask)) given.mask = opaque_part(picture);
+    std::vector<std::string> facts;
+    if (is_empty(given.mask)) {
+        given.mask = ones_of(grey, picture);
+        if (!is_empty(given.mask)) facts.push_back("has no value above 1; 1 is taken for white");
+    }
     if (is_inverted(given.mask)) {
         for (std::uint8_t& pixel : given.mask) pixel = !pixel;
-        given.remark = file.string() + ": is white around a black figure; the black is taken for the figure";
+        facts.push_back("is white around a black figure; the black is taken for the figure");
     }
+    for (const std::string& fact : facts)
+        given.remark += given.remark.empty() ? file.string() + ": " + fact : "; it " + fact;
     return given;
 }
 

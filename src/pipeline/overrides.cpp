@@ -8,6 +8,7 @@
 #include "formats/figure_joints.hpp"
 #include "formats/file_names.hpp"
 #include "formats/joint_labels.hpp"
+#include "formats/joint_places.hpp"
 #include "formats/pictures.hpp"
 #include "pantin/image.hpp"
 #include "pipeline/given_mask.hpp"
@@ -48,6 +49,13 @@ LabelMap labels_beside(const Mask& mask, const fs::path& folder, int rotate,
     }
     if (rotate != 0)
         throw Error(ErrorKind::usage, "--rotate does not go with the joints of " + folder.string());
+    // Of another picture, say, or of this one at another size.
+    const int outside = joints_outside(mask, figure.joints), all = static_cast<int>(figure.joints.size());
+    if (2 * outside > all) {
+        remarks.push_back(joints_file(folder).string() + ": " + std::to_string(outside) + " of its " +
+                          std::to_string(all) + " joints lie outside of the mask" + instead);
+        return {};
+    }
     if (!figure.remark.empty()) remarks.push_back(figure.remark);
     return labels;
 }

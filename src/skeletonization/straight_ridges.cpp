@@ -23,6 +23,7 @@ std::optional<std::vector<Point2d>> loop_of(const Border& border) {
     SimplePolygonOptions options;
     options.samples = 0;
     options.tolerance = tolerance / std::max(1.0, diagonal_of(points));
+    options.finer = 0; // pixels say no more than a pixel
     try {
         return simple_polygon(points, options).corners;
     } catch (const Error&) {
