@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/extent.hpp"
 #include "image/label_map.hpp"
 #include "pantin/error.hpp"
 #include "pantin/geometry.hpp"
@@ -23,6 +24,7 @@ constexpr std::array<Label, part_labels.size()> modelling_order = [] {
     return order;
 }();
 constexpr double least_share = 0.002; // of the silhouette: smaller pieces are left out
+constexpr double hair = 0.2;          // of a border's pixels: an area below it is a hair's
 constexpr int smoothing = 2;          // border pixels to each side whose mean is a point of the stroke
 constexpr double least_reach = 2;     // pixels that a part extends into its neighbour
 
@@ -60,7 +62,7 @@ Mask extended(const Mask& piece, const Mask& before, const Grid<int>& silhouette
 }
 
 // The outer border, its steps smoothed.
-std::vector<Point2d> stroke_of(const Mask& mask) {
+std::vector<Point2d> border_of(const Mask& mask) {
     const Mask padded = pad(largest_component(mask), 1);
     const std::vector<Border> borders = follow_borders(padded);
     const std::vector<Point2i>& border = borders.front().points;
@@ -72,6 +74,13 @@ std::vector<Point2d> stroke_of(const Mask& mask) {
         stroke.push_back(1.0 / (2 * smoothing + 1) * sum - Point2d{1, 1}); // without the padding
     }
     return stroke;
+}
+
+// Of a piece that is a pixel wide the border goes out and comes back the same way: it is taken a pixel wider.
+std::vector<Point2d> stroke_of(const Mask& mask) {
+    const std::vector<Point2d> stroke = border_of(mask);
+    if (std::abs(area_of(stroke)) >= hair * static_cast<double>(stroke.size())) return stroke;
+    return border_of(dilate_square(mask, 1));
 }
 
 } // namespace
