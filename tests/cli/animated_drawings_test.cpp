@@ -140,7 +140,8 @@ namespace {
 // A folder with a figure of ellipses and bars, and its joints.
 class Figure {
 public:
-    explicit Figure(int width, int height) : mask_(width, height, 0) {}
+    // Its joints lie `shift` to the right of where they are said to be.
+    explicit Figure(int width, int height, int shift = 0) : mask_(width, height, 0), shift_(shift) {}
     void ellipse(int x, int y, int rx, int ry) {
         fill([&](double px, double py) {
             return (px - x) * (px - x) / rx / rx + (py - y) * (py - y) / ry / ry <= 1;
@@ -160,8 +161,8 @@ public:
         joint(names[2], b, names[1]);
     }
     void joint(const std::string& name, Point2d p, const std::string& parent) {
-        config_ += "- {name: " + name + ", parent: " + parent + ", loc: [" + std::to_string(p.x) + ", " +
-                   std::to_string(p.y) + "]}\n";
+        config_ += "- {name: " + name + ", parent: " + parent + ", loc: [" + std::to_string(p.x + shift_) +
+                   ", " + std::to_string(p.y) + "]}\n";
     }
     const GreyImage& mask() const { return mask_; }
     void save(const fs::path& folder) const {
@@ -181,11 +182,12 @@ private:
                 if (inside(x, y)) mask_(x, y) = 255;
     }
     GreyImage mask_;
+    int shift_;
     std::string config_ = "skeleton:\n";
 };
 
-Figure horse() {
-    Figure figure(360, 300);
+Figure horse(int shift = 0) {
+    Figure figure(360, 300, shift);
     figure.ellipse(190, 130, 110, 50);
     figure.ellipse(55, 90, 42, 38);
     figure.joint("root", {190, 130}, "null");
@@ -301,9 +303,69 @@ TEST_CASE("Masks of AnimatedDrawings folders say in several ways what the figure
     REQUIRE(remarks.size() == 1);
     CHECK(remarks[0].get<std::string>().find("mask.png: is white around a black figure") !=
           std::string::npos);
+    // Written as 0 and 1, and that inverted.
+    const auto has_remark = [&](const std::string& what) {
+        const Json page = Json::parse(read(folder / "out/page.json"));
+        return page.value("remarks", Json::array()).size() == 1 &&
+               page["remarks"][0].get<std::string>().find("mask.png: " + what) != std::string::npos;
+    };
+    GreyImage ones = figure.mask();
+    for (const bool turned_round : {false, true}) {
+        for (std::size_t i = 0; i < ones.size(); ++i)
+            ones.data()[i] = (figure.mask().data()[i] != 0) != turned_round;
+        save_png(folder / "horse/mask.png", ones);
+        CHECK(run() == area);
+        CHECK(has_remark(turned_round
+                             ? "has no value above 1; 1 is taken for white; it is white around a black"
+                             : "has no value above 1; 1 is taken for white"));
+    }
+    for (std::uint8_t& value : ones) value = static_cast<std::uint8_t>(value ? 2 : 1); // says nothing
+    save_png(folder / "horse/mask.png", ones);
+    const Outcome refused =
+        run_pantin({"detect", (folder / "horse").string(), "-o", (folder / "none").string()});
+    CHECK(refused.code == 3);
+    CHECK(refused.err.find("mask.png: has no pixel of the character") != std::string::npos);
+    CHECK_FALSE(fs::exists(folder / "none"));
     // A mask that is white everywhere is no inverted one.
     save_png(folder / "horse/mask.png", GreyImage(inverted.width(), inverted.height(), 255));
     CHECK(run() > 2 * area);
+}
+
+TEST_CASE("A mask of 0 and 1 beside a page is taken, with a line", "[cli][animated-drawings]") {
+    const TemporaryFolder folder;
+    const Figure figure = horse();
+    figure.save(folder / "horse");
+    GreyImage ones = figure.mask();
+    for (std::uint8_t& value : ones) value = value != 0;
+    save_png(folder / "ones.png", ones);
+    const auto run = [&](const fs::path& mask) {
+        const Outcome outcome = run_pantin(animate((folder / "horse/texture.png").string(), folder / "out") +
+                                           std::vector<std::string>{"--mask", mask.string()});
+        CAPTURE(outcome.err);
+        REQUIRE(outcome.code == 0);
+        return read(folder / "out/character-1/mask.png");
+    };
+    CHECK(run(folder / "ones.png") == run(folder / "horse/mask.png"));
+    run(folder / "ones.png");
+    const Json remarks = Json::parse(read(folder / "out/page.json"))["remarks"];
+    REQUIRE(remarks.size() == 1);
+    CHECK(remarks[0].get<std::string>().find("ones.png: has no value above 1") != std::string::npos);
+}
+
+TEST_CASE("Joints that lie outside of the mask are not followed", "[cli][animated-drawings][needs-yaml]") {
+    const TemporaryFolder folder;
+    for (const int shift : {0, 8, 250}) {
+        Figure figure = horse(shift);
+        figure.save(folder / "horse");
+        const Outcome outcome = run_pantin(animate((folder / "horse").string(), folder / "out"));
+        CAPTURE(shift, outcome.out, outcome.err);
+        REQUIRE(outcome.code == 0);
+        const bool said = outcome.out.find("char_cfg.yaml: 18 of its 19 joints lie outside of the mask; the "
+                                           "network's parts are taken\n") != std::string::npos;
+        CHECK(said == (shift == 250));
+        CHECK(Json::parse(read(folder / "out/page.json")).contains("remarks") == (shift == 250));
+        CHECK(fs::exists(folder / "out/character-1/segmentation.json") == (shift == 250));
+    }
 }
 
 TEST_CASE("batch takes folders of any body, and says in the line what was wrong with one",

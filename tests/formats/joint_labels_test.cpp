@@ -9,6 +9,7 @@
 
 #include "formats/animated_drawings.hpp"
 #include "formats/joint_labels.hpp"
+#include "formats/joint_places.hpp"
 #include "formats/joint_words.hpp"
 
 using namespace pantin;
@@ -92,7 +93,16 @@ TEST_CASE("The name of a joint says its part", "[animated-drawings]") {
                                                               {"joint_3", none},
                                                               {"", none},
                                                               {"17", none},
-                                                              {"leg1_hip", limb}};
+                                                              {"leg1_hip", limb},
+                                                              {"left_limb", limb},
+                                                              {"dorsal_fin", body},
+                                                              {"fin_up", body},
+                                                              {"Fins", body},
+                                                              {"leftfin", body},
+                                                              {"tail_fin", tail},
+                                                              {"caudalFin", tail},
+                                                              {"finger", limb},
+                                                              {"flipper", limb}};
     for (const auto& [name, label] : names) {
         CAPTURE(name);
         CHECK(label_of_joint_name(name) == label);
@@ -185,4 +195,68 @@ TEST_CASE("A human figure's joints have their own bones; what is more is added t
         if (more.data()[i] == static_cast<std::uint8_t>(tail)) continue;
         if (more.data()[i] != labels.data()[i]) CHECK(more.data()[i] == static_cast<std::uint8_t>(body));
     }
+}
+
+TEST_CASE("A limb of two joints begins at the first, a limb of one joint in the trunk",
+          "[animated-drawings]") {
+    const Mask all(200, 200, 1);
+    std::vector<Row> bird = {{"root", {100, 60}, ""},           {"head", {40, 20}, "root"},
+                             {"left_leg", {90, 110}, "root"},   {"left_foot", {90, 160}, "left_leg"},
+                             {"right_leg", {120, 110}, "root"}, {"right_foot", {120, 160}, "right_leg"}};
+    const LabelMap two = labels_from_joints(all, figure(bird));
+    REQUIRE_FALSE(two.empty());
+    const auto at = [](const LabelMap& map, int x, int y) { return static_cast<Label>(map(x, y)); };
+    for (int y = 70; y <= 109; y += 3)
+        for (int x = 92; x <= 118; ++x) CHECK(at(two, x, y) == body); // the belly, all of it
+    CHECK(at(two, 105, 112) == body);
+    for (const int x : {90, 120}) {
+        CHECK(at(two, x, 125) == limb);
+        CHECK(at(two, x, 158) == limb);
+    }
+    // Without its foot a leg's end is the leg's, and its beginning the trunk's.
+    bird = {bird[0], bird[1], {"leg", {100, 160}, "root"}};
+    const LabelMap one = labels_from_joints(all, figure(bird));
+    CHECK(at(one, 100, 75) == body);
+    CHECK(at(one, 100, 110) == limb);
+    CHECK(at(one, 100, 158) == limb);
+    // The 16 joints of a human figure have bones of their own, of arms and legs of any length.
+    CHECK(labels_from_joints(all, human())(76, 66) == static_cast<std::uint8_t>(limb));
+}
+
+TEST_CASE("A fin is body, or of the tail, wing, limb or head that it hangs on", "[animated-drawings]") {
+    const std::vector<Row> fish = {{"body", {100, 100}, ""},
+                                   {"head", {30, 100}, "body"},
+                                   {"tail", {150, 100}, "body"},
+                                   {"fin_up", {180, 70}, "tail"},
+                                   {"fin_low", {180, 130}, "tail"},
+                                   {"dorsal_fin", {100, 40}, "body"},
+                                   {"joint_7", {110, 20}, "dorsal_fin"},
+                                   {"joint_8", {115, 10}, "joint_7"}};
+    CHECK(labels_of_joints(figure(fish)) ==
+          std::vector<Label>{body, head, tail, tail, tail, body, body, body});
+    const LabelMap labels = labels_from_joints(Mask(200, 200, 1), figure(fish));
+    REQUIRE_FALSE(labels.empty());
+    CHECK(std::count(labels.begin(), labels.end(), static_cast<std::uint8_t>(limb)) == 0);
+    CHECK(labels(100, 45) == static_cast<std::uint8_t>(body));
+    CHECK(labels(178, 72) == static_cast<std::uint8_t>(tail));
+    // A fish is no four-legged animal, but one with feet keeps them.
+    CHECK(labels_of_joints(
+              figure({{"body", {}, ""}, {"fin", {}, "body"}, {"leg", {}, "body"}, {"fins", {}, "leg"}})) ==
+          std::vector<Label>{body, body, limb, limb});
+}
+
+TEST_CASE("Joints far from the silhouette are counted", "[animated-drawings]") {
+    Mask mask(400, 400, 0); // its box is 60 by 80: a joint may be 5 away
+    for (int y = 100; y < 180; ++y)
+        for (int x = 100; x < 160; ++x) mask(x, y) = 1;
+    const auto outside = [&](Point2d p) { return joints_outside(mask, {{"a", p, -1}}); };
+    CHECK(outside({130, 140}) == 0);
+    CHECK(outside({164, 140}) == 0);
+    CHECK(outside({165, 140}) == 1);
+    CHECK(outside({163, 183}) == 1); // by the diagonal
+    CHECK(outside({95.5, 140}) == 0);
+    CHECK(outside({-800, 800}) == 1);
+    CHECK(joints_outside(mask, {{"a", {130, 140}, -1}, {"b", {0, 0}, 0}, {"c", {399.5, 1}, 0}}) == 2);
+    CHECK(joints_outside(Mask(9, 9, 0), {{"a", {5, 5}, -1}}) == 1);
+    CHECK(joints_outside(mask, {}) == 0);
 }

@@ -1153,6 +1153,15 @@ TEST_CASE("A part's name says what it is") {
     for (const char* name : {"claw", "leg", "leftArm", "front leg", "hand", "part-3", "path1234", "", "blob",
                              "42", "heart", "swing", "tailor", "forearm", "\xC3\xA4\xC3\xB6", "bodyguard"})
         CHECK(label_of_part(name) == Label::limb);
+    // The labels' own names are known, not guessed.
+    for (const Label label : {Label::head, Label::body, Label::limb, Label::tail, Label::wing})
+        for (const char* more : {"", "s", "_2"}) {
+            const std::string name = std::string(name_of(label)) + more;
+            CAPTURE(name);
+            CHECK(known_label(name == "bodys" ? "bodies" : name) == label);
+        }
+    CHECK(known_label("left limb") == Label::limb);
+    CHECK(known_label("blob") == Label::background);
     // The last word of a compound counts.
     CHECK(label_of_part("body_wing") == Label::wing);
     CHECK(label_of_part("wing claw") == Label::limb);

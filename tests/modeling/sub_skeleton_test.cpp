@@ -166,6 +166,38 @@ TEST_CASE("a thin strip that crosses itself keeps its length") {
     }
 }
 
+TEST_CASE("strips thinner than the tolerance keep their length and some of their area") {
+    Random random(44);
+    for (int round = 0; round < 150; ++round) {
+        const double width = 100 * random.uniform(0.0005, 0.01), angle = 2 * math::pi * random.uniform();
+        const double c = math::cos(angle), s = math::sin(angle), x0 = random.uniform(-500, 500);
+        Line stroke;
+        for (const Point2d p : {Point2d{0, 0}, {30, 0}, {100, 0}, {100, width}, {60, width}, {0, width}})
+            stroke.push_back({x0 + c * p.x - s * p.y, s * p.x + c * p.y});
+        std::rotate(stroke.begin(), stroke.begin() + round % 6, stroke.end());
+        if (round % 2) std::reverse(stroke.begin(), stroke.end());
+        CAPTURE(round, width, angle);
+        const SimplePolygon polygon = simple_polygon(stroke);
+        CHECK(is_simple(polygon.corners));
+        double far = 0;
+        for (const Point2d& p : polygon.corners)
+            for (const Point2d& q : polygon.corners) far = std::max(far, distance(p, q));
+        CHECK(far == Approx(100).epsilon(0.02));
+        CHECK(area_of(polygon.corners) > 0.2 * 100 * width); // at worst a sliver of it is left
+        CHECK(area_of(polygon.corners) < 1.05 * 100 * width);
+        check_skeleton(sub_skeleton(stroke));
+    }
+    // What has no area stays without one, at every tolerance and in any direction.
+    for (int round = 0; round < 40; ++round) {
+        const double angle = 2 * math::pi * random.uniform(), c = math::cos(angle), s = math::sin(angle);
+        CAPTURE(angle);
+        CHECK(failure({{0, 0}, {100 * c, 100 * s}, {40 * c, 40 * s}}) == "stroke: has no area");
+    }
+    SimplePolygonOptions coarse;
+    coarse.finer = 0;
+    CHECK_THROWS_AS(simple_polygon({{0, 0}, {100, 0}, {100, 0.1}, {0, 0.1}}, coarse), Error);
+}
+
 TEST_CASE("BoundedDP keeps what Douglas and Peucker keep, and where the shape varies") {
     Cylinder cylinder;
     for (int i = 0; i <= 40; ++i) {
