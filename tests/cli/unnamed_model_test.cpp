@@ -192,7 +192,7 @@ TEST_CASE("Details that are cut out of an outline stay visible, and a head besid
     CHECK(apart->reference() == "humanoid");
 }
 
-TEST_CASE("Eyes on a named head are drawn on it, whatever they are called", "[cli][svg]") {
+TEST_CASE("Eyes on a named head are drawn on it, whatever they are called", "[cli][svg][needs-pugixml]") {
     const TemporaryFolder folder;
     const fs::path file = folder / "dog.svg", out = folder / "out";
     write(file,

@@ -536,7 +536,7 @@ bool has_line(const Strokes& strokes, const std::string& text) {
 
 } // namespace
 
-TEST_CASE("An element that cannot be read is left out with a line, the others stay", "[svg]") {
+TEST_CASE("An element that cannot be read is left out with a line, the others stay", "[svg][needs-pugixml]") {
     for (const std::string bad :
          {"<path id='b' d='M 1 2 L nonsense'/>", "<circle id='b' cx='undefined' cy='3' r='4'/>",
           "<polygon id='b' points='1 2 3'/>", "<rect id='b' x='NaN' y='0' width='5' height='5'/>",
@@ -554,7 +554,7 @@ TEST_CASE("An element that cannot be read is left out with a line, the others st
           std::string::npos);
 }
 
-TEST_CASE("Frames, bands across the page and shadows on the ground are no parts", "[svg]") {
+TEST_CASE("Frames, bands across the page and shadows on the ground are no parts", "[svg][needs-pugixml]") {
     const auto left_out = [&](const std::string& behind, const std::string& why) {
         const Strokes strokes = svg(behind + dog, "viewBox='0 0 100 100'");
         CAPTURE(behind);
@@ -584,7 +584,7 @@ TEST_CASE("Frames, bands across the page and shadows on the ground are no parts"
 }
 
 TEST_CASE("Transforms turn about their origin; the outermost element is :root, screens are all media",
-          "[svg]") {
+          "[svg][needs-pugixml]") {
     const auto corner = [](const std::string& attributes) {
         const Line stroke =
             only_part(svg("<rect width='10' height='4' " + attributes + "/>", "viewBox='0 0 100 60'")).stroke;

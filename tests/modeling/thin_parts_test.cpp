@@ -172,7 +172,8 @@ TEST_CASE("parts that do not touch stay apart, however thin they are") {
     CHECK(share_inside(model, mesh, 1) == 1);
 }
 
-TEST_CASE("parts that are thick enough are as they were: nothing is remarked of the nine models") {
+TEST_CASE("parts that are thick enough are as they were: nothing is remarked of the nine models",
+          "[needs-pugixml]") {
     for (const std::string& name : test::model_names) {
         Model model(test::model_strokes(name));
         const std::vector<std::string> strokes = model.repairs();
