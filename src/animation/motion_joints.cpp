@@ -125,7 +125,7 @@ void apply_plan(const JointMap& by_hand, MotionJoints& joints) {
             if (plan_names[k] == name) joints.plan = static_cast<BodyPlan>(k);
 }
 
-// Every joint of the map is there, and every limb that it names is one.
+// Every joint of the map is there.
 void check(const JointMap& by_hand, const Motion& motion, const std::string& file) {
     std::vector<std::string> names;
     for (const MotionJoint& joint : motion.joints)

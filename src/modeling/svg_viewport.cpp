@@ -9,7 +9,7 @@
 namespace pantin {
 namespace {
 
-// "xMid" …: where the rest of the room goes, as a share.
+// The alignment along an axis ("xMin", "xMid", "xMax") as a share of the space that is left over.
 double share_of(const std::string& aspect, const std::string& axis) {
     if (aspect.find(axis + "Min") != std::string::npos) return 0;
     if (aspect.find(axis + "Max") != std::string::npos) return 1;

@@ -39,7 +39,7 @@ Painting painting_of(const Strokes& strokes) {
 
 // Parts that are drawn from several sides, at depths or in pairs: each has the label of most of what is seen
 // of it.
-Strokes labelled_in_view(Strokes strokes, const std::string& name, Context& context) {
+Strokes labelled_in_view(Strokes strokes, Context& context) {
     Model model(strokes, context.options().modeling);
     const SolidMesh mesh = model.united();
     const ModelView view = view_of(model, mesh, view_side);
@@ -78,7 +78,7 @@ Strokes labelled_in_view(Strokes strokes, const std::string& name, Context& cont
                     most = count, part->label = label;
         }
     }
-    strokes.repairs.push_back(name + ": labels of parts without a known name are the part network's");
+    strokes.repairs.emplace_back("labels of parts without a known name are the part network's");
     return strokes;
 }
 
@@ -112,7 +112,7 @@ std::optional<LabelledStrokes> with_decoration(const Strokes& strokes) {
 LabelledStrokes labelled_by_look(const Strokes& strokes, const std::string& name, Context& context) {
     LabelledStrokes result;
     if (!is_flat(strokes)) {
-        result.strokes = labelled_in_view(strokes, name, context);
+        result.strokes = labelled_in_view(strokes, context);
         return result;
     }
     DrawingLook look = look_at(painting_of(strokes), name, context);

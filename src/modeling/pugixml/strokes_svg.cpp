@@ -32,8 +32,8 @@ constexpr std::size_t most_shown = 40;         // characters of a value in a mes
 }
 
 // What ends the whole drawing, not one element of it.
-struct Endless : Error {
-    Endless(const std::string& file, const std::string& fact) : Error(ErrorKind::input, file + ": " + fact) {}
+struct DrawingError : Error {
+    DrawingError(const std::string& file, const std::string& fact) : Error(ErrorKind::input, file + ": " + fact) {}
 };
 
 // What an element has from those around it.
@@ -138,7 +138,7 @@ private:
     void visit(pugi::xml_node node, const Surroundings& outer) {
         try {
             visit_any(node, outer);
-        } catch (const Endless&) {
+        } catch (const DrawingError&) {
             throw;
         } catch (const Error& error) {
             if (attributes_) throw;
@@ -178,10 +178,10 @@ private:
     std::optional<Surroundings> enter(pugi::xml_node node, const Surroundings& outer,
                                       const std::string& element) {
         if (++met_ > most_elements)
-            throw Endless(file_, "more than " + std::to_string(most_elements) + " elements");
+            throw DrawingError(file_, "more than " + std::to_string(most_elements) + " elements");
         const std::string where = file_ + ": " + element;
         Surroundings inner = outer;
-        if (++inner.depth > deepest) throw Endless(file_, "groups are nested too deeply");
+        if (++inner.depth > deepest) throw DrawingError(file_, "groups are nested too deeply");
         const Style style = sheets_.style_of(node);
         inner.look = outer.look.inside(style);
         if (!inner.look.displayed()) {
