@@ -96,6 +96,8 @@ PageInk find_page_ink(const RgbImage& page);
 // error. Own.
 PageInk find_cut_out_ink(const RgbaImage& page);
 inline bool is_opaque(Rgba8 pixel) { return pixel.a >= 128; }
+// 1 where the picture is opaque. No error. Own.
+Mask opaque_pixels(const RgbaImage& image);
 
 // find_page_ink().darkness.
 Grid<float> ink_darkness(const RgbImage& image);
@@ -138,6 +140,9 @@ inline bool on_border(const Mask& mask, int x, int y) {
     return mask(x, y) && !(mask.value_or(x - 1, y, 0) && mask.value_or(x + 1, y, 0) &&
                            mask.value_or(x, y - 1, 0) && mask.value_or(x, y + 1, 0));
 }
+
+// Share of the image's outermost pixels that belong to the mask. No error. Own.
+double share_of_frame(const Mask& mask);
 
 // Morphology with a (2·radius+1)² square or with the discrete disc of that radius (all pixels whose centre is
 // at most `radius` away); outside is background. radius: pixels, ≥ 0. A closing does not lose pixels at the

@@ -7,6 +7,7 @@
 // for Animating Children's Drawings of the Human Figure, 2023, section 3.4).
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -55,6 +56,9 @@ std::string to_bvh(const Rig& rig, const BoneAnimation& animation);
 
 // What kind of body was recorded.
 enum class BodyPlan { humanoid, quadruped, bird };
+// As in a map of joints, by value of BodyPlan.
+inline constexpr std::array<std::string_view, 3> body_plan_names = {"humanoid", "quadruped", "bird"};
+static_assert(body_plan_names.size() == static_cast<std::size_t>(BodyPlan::bird) + 1);
 
 // The joints of a motion that stand for the parts of a body; −1 where it has none. Left and right are those
 // of the recorded figure. An animal's forelegs and a bird's wings are its arms.

@@ -44,6 +44,8 @@ void compare_skeletons_folder(const std::filesystem::path& folder, const Setting
 void identify_folder(const std::filesystem::path& folder, const Settings& settings);
 void rig_folder(const std::filesystem::path& folder, const Settings& settings);
 void render_folder(const std::filesystem::path& folder, const Settings& settings);
+// The last three, one after the other; what was identified.
+Identification animate_folder(const std::filesystem::path& folder, const Settings& settings);
 
 // --- models -----------------------------------------------------------------------------------------------
 

@@ -34,16 +34,10 @@ Vec3 nearest_axis(Vec3 direction) {
     });
 }
 
-double arms_to_legs(const std::vector<Vec3>& pose, const MotionJoints& joints) {
-    const auto bone = [&](int a, int b) {
-        return distance(pose[static_cast<std::size_t>(a)], pose[static_cast<std::size_t>(b)]);
-    };
-    double arms = 0, legs = 0;
-    for (const auto& s : {joints.left, joints.right}) {
-        arms += bone(s.upper_arm, s.forearm) + bone(s.forearm, s.hand);
-        legs += bone(s.thigh, s.shin) + bone(s.shin, s.foot);
-    }
-    return legs > 0 ? arms / legs : 0;
+double way_over(const std::vector<Vec3>& pose, int a, int b, int c) {
+    const Vec3 middle = pose[static_cast<std::size_t>(b)];
+    return distance(pose[static_cast<std::size_t>(a)], middle) +
+           distance(middle, pose[static_cast<std::size_t>(c)]);
 }
 
 // What the frames say of an axis.
@@ -61,8 +55,8 @@ public:
     Frames(const Motion& motion, const MotionJoints& joints) : joints_(joints) {
         const std::size_t step = std::max<std::size_t>(1, motion.frames() / most_frames);
         for (std::size_t i = 0; i < motion.frames(); i += step) poses_.push_back(joint_positions(motion, i));
-        leg_ = std::max(1e-9, length_of_leg());
-        animal_ = arms_to_legs(poses_[0], joints) > animal_forelegs;
+        leg_ = std::max(1e-9, leg_length(poses_[0], joints));
+        animal_ = arm_length(poses_[0], joints) > animal_forelegs * leg_;
     }
 
     Evidence evidence(Vec3 up) const {
@@ -75,7 +69,7 @@ public:
             e.on_four += four / n;
             const bool stands = four || (cosine(d.trunk, up) > along && cosine(d.legs, up) < -along);
             e.stands += stands / n;
-            e.aside += std::abs(cosine(left_of(pose), up)) / n;
+            e.aside += std::abs(cosine(leftwards(pose, joints_), up)) / n;
             lowest.push_back(lowest_of(pose, up));
             const bool grounded = lowest.back() > -below_ground * leg_ && lowest.back() < above_ground * leg_;
             e.on_ground += grounded / n;
@@ -93,8 +87,8 @@ public:
         const auto flat = [&](Vec3 v) { return v - dot(v, up) * up; };
         double farthest = 0, way = 0, turned = 0;
         for (std::size_t i = 1; i < poses_.size(); ++i) {
-            const Vec3 from = hips(i - 1), to = hips(i), a = flat(left_of(poses_[i - 1])),
-                       b = flat(left_of(poses_[i]));
+            const Vec3 from = hips(i - 1), to = hips(i), a = flat(leftwards(poses_[i - 1], joints_)),
+                       b = flat(leftwards(poses_[i], joints_));
             farthest = std::max(farthest, length(flat(to - hips(0))));
             way += length(flat(to - from));
             turned += std::abs(math::atan2(dot(cross(a, b), up), dot(a, b)));
@@ -110,19 +104,6 @@ public:
 
 private:
     Vec3 hips(std::size_t pose) const { return poses_[pose][static_cast<std::size_t>(joints_.hips)]; }
-    double length_of_leg() const {
-        const auto& [l, r] = std::pair(joints_.left, joints_.right);
-        const auto bone = [&](int a, int b) {
-            return distance(poses_[0][static_cast<std::size_t>(a)], poses_[0][static_cast<std::size_t>(b)]);
-        };
-        return 0.5 *
-               (bone(l.thigh, l.shin) + bone(l.shin, l.foot) + bone(r.thigh, r.shin) + bone(r.shin, r.foot));
-    }
-    Vec3 left_of(const std::vector<Vec3>& pose) const {
-        const auto at = [&](int joint) { return pose[static_cast<std::size_t>(joint)]; };
-        return at(joints_.left.upper_arm) - at(joints_.right.upper_arm) + at(joints_.left.thigh) -
-               at(joints_.right.thigh);
-    }
     double lowest_of(const std::vector<Vec3>& pose, Vec3 up) const {
         double lowest = dot(pose[static_cast<std::size_t>(joints_.hips)], up);
         for (const auto& s : {joints_.left, joints_.right})
@@ -164,6 +145,22 @@ bool contradicts(const Frames& frames, Vec3 up, Vec3 other) {
 }
 
 } // namespace
+
+Vec3 leftwards(const std::vector<Vec3>& pose, const MotionJoints& joints) {
+    const auto at = [&](int joint) { return pose[static_cast<std::size_t>(joint)]; };
+    return at(joints.left.upper_arm) - at(joints.right.upper_arm) + at(joints.left.thigh) -
+           at(joints.right.thigh);
+}
+double arm_length(const std::vector<Vec3>& pose, const MotionJoints& joints) {
+    const auto arm = [&](const MotionJoints::Side& s) {
+        return way_over(pose, s.upper_arm, s.forearm, s.hand);
+    };
+    return 0.5 * (arm(joints.left) + arm(joints.right));
+}
+double leg_length(const std::vector<Vec3>& pose, const MotionJoints& joints) {
+    const auto leg = [&](const MotionJoints::Side& s) { return way_over(pose, s.thigh, s.shin, s.foot); };
+    return 0.5 * (leg(joints.left) + leg(joints.right));
+}
 
 LimbDirections limb_directions(const std::vector<Vec3>& pose, const MotionJoints& joints) {
     const auto at = [&](int joint) { return pose[static_cast<std::size_t>(joint)]; };

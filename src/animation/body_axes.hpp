@@ -13,6 +13,11 @@ namespace pantin {
 struct LimbDirections {
     Vec3 legs, arms, trunk;
 };
+// From right to left, not of unit length.
+Vec3 leftwards(const std::vector<Vec3>& pose, const MotionJoints& joints);
+// Mean lengths of the two arms and the two legs, bent as they may be.
+double arm_length(const std::vector<Vec3>& pose, const MotionJoints& joints);
+double leg_length(const std::vector<Vec3>& pose, const MotionJoints& joints);
 LimbDirections limb_directions(const std::vector<Vec3>& pose, const MotionJoints& joints);
 
 struct BodyAxes {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "animation/body_axes.hpp"
 #include "animation/follow.hpp"
 #include "animation/limb_angles.hpp"
 #include "animation/vector.hpp"
@@ -45,13 +46,7 @@ public:
                 drive(b);
         }
     }
-    // Against the parent bone.
-    Quaternion rotation(std::size_t bone, std::size_t pose) const {
-        const int parent = rig_.bones[bone].parent;
-        const double angle =
-            turns_[bone][pose] - (parent >= 0 ? turns_[static_cast<std::size_t>(parent)][pose] : 0);
-        return {0, 0, math::sin(angle / 2), math::cos(angle / 2)};
-    }
+    const BoneTurns& turns() const { return turns_; }
     // Of every bone; limbs before the trunk are before it in the picture.
     std::vector<std::vector<double>> depths() const { return depths_; }
 
@@ -120,11 +115,8 @@ private:
     void limb(std::size_t b, const std::array<int, 3>& chain) {
         const Bone& bone = rig_.bones[b];
         if (bone.segment > 1) return rest_on_parent(b);
-        const bool alone = std::none_of(rig_.bones.begin(), rig_.bones.end(), [&](const Bone& other) {
-            return other.parent == static_cast<int>(b) && other.reference_joint == bone.reference_joint;
-        });
         const auto from = static_cast<std::size_t>(bone.segment);
-        const int to = alone && bone.segment == 0 ? chain[2] : chain[from + 1];
+        const int to = bone.segment == 0 && !goes_on(rig_, b) ? chain[2] : chain[from + 1];
         const Directions own = directions_of(upright_, chain[from], to);
         const bool side = seen_from_the_side(directions_of(upright_, chain[0], chain[2]));
         std::vector<double> angles = angles_in_picture(own, upright_, side);
@@ -174,9 +166,7 @@ private:
         for (const RecordedPose& p : poses_) {
             const auto at = [&](int joint) { return p.joints[static_cast<std::size_t>(joint)]; };
             const double size = distance(at(chain[0]), at(chain[1])) + distance(at(chain[1]), at(chain[2]));
-            const Vec3 left = at(joints_.left.upper_arm) - at(joints_.right.upper_arm) +
-                              at(joints_.left.thigh) - at(joints_.right.thigh);
-            const Vec3 forwards = cross(left, trunk_of(p.joints));
+            const Vec3 forwards = cross(leftwards(p.joints, joints_), trunk_of(p.joints));
             const double n = length(forwards) * size;
             const double ahead = n > 1e-12 ? dot(0.5 * (at(a) + at(b)) - at(root), forwards) / n : 0;
             const double whole = std::clamp((std::abs(ahead) - beside) / (apart - beside), 0.0, 1.0);
@@ -193,7 +183,8 @@ private:
     const MotionJoints& joints_;
     const std::vector<Vec3>& rest_;
     std::vector<double> trunk_, carried_; // its angle; what limbs are turned with it; one a pose
-    std::vector<std::vector<double>> turns_, depths_;
+    BoneTurns turns_;
+    std::vector<std::vector<double>> depths_;
 };
 
 // Mean length of the legs in world units; 0 without legs.
@@ -231,12 +222,16 @@ void set_camera(BoneAnimation& animation, Way way) {
         animation.camera = camera_along(animation.root_translation);
 }
 
-template <class AnyFollower>
-void add_rotations(BoneAnimation& animation, const AnyFollower& follower, std::size_t bones,
-                   std::size_t poses) {
-    animation.rotations.resize(bones);
-    for (std::size_t b = 0; b < bones; ++b)
-        for (std::size_t i = 0; i < poses; ++i) animation.rotations[b].push_back(follower.rotation(b, i));
+// Turns against the drawing to turns against the parent bone.
+std::vector<std::vector<Quaternion>> rotations_of(const Rig& rig, const BoneTurns& turns) {
+    std::vector<std::vector<Quaternion>> rotations(turns.size());
+    for (std::size_t b = 0; b < turns.size(); ++b)
+        for (std::size_t i = 0; i < turns[b].size(); ++i) {
+            const int parent = rig.bones[b].parent;
+            const double angle = turns[b][i] - (parent >= 0 ? turns[static_cast<std::size_t>(parent)][i] : 0);
+            rotations[b].push_back({0, 0, math::sin(angle / 2), math::cos(angle / 2)});
+        }
+    return rotations;
 }
 
 bool any(const std::vector<std::vector<double>>& depths) {
@@ -244,6 +239,13 @@ bool any(const std::vector<std::vector<double>>& depths) {
 }
 
 } // namespace
+
+bool goes_on(const Rig& rig, std::size_t bone) {
+    return std::any_of(rig.bones.begin(), rig.bones.end(), [&](const Bone& other) {
+        return other.parent == static_cast<int>(bone) &&
+               other.reference_joint == rig.bones[bone].reference_joint;
+    });
+}
 
 bool shown_left(const Bone& bone, const std::string& joint) {
     return joint.ends_with("left") != bone.mirrored;
@@ -274,14 +276,14 @@ BoneAnimation follow(const Rig& rig, const ReferenceSkeleton& reference, const M
     double forwards = 1; // 1: the character looks to the right of the picture, where the way leads
     if (joints.plan == BodyPlan::humanoid) {
         const Follower follower(rig, reference, recording, joints);
-        add_rotations(animation, follower, rig.bones.size(), poses.size());
+        animation.rotations = rotations_of(rig, follower.turns());
         animation.depths = follower.depths();
         for (std::vector<double>& d : animation.depths)
             if (d.empty()) d.assign(poses.size(), 0);
         if (!any(follower.depths())) animation.depths.clear();
     } else {
         const AnimalFollower follower(rig, reference, recording, joints);
-        add_rotations(animation, follower, rig.bones.size(), poses.size());
+        animation.rotations = rotations_of(rig, follower.turns());
         forwards = follower.forwards();
     }
     const double scale = drawn_leg_length(rig, reference) / recording.leg_length();

@@ -9,6 +9,11 @@
 
 namespace pantin {
 
+using BoneTurns =
+    std::vector<std::vector<double>>; // [bone][pose], against the drawing, in its plane, radians
+// Whether the bone's limb has another bone outwards.
+bool goes_on(const Rig& rig, std::size_t bone);
+
 // What every bone of a quadruped or a bird does. Drawings of animals differ from recorded ones in the pose at
 // rest much more than people do, so bones turn by as much as the recorded limbs turn from their own rest, or
 // from the middle of their way when that is not known. Own.
@@ -16,7 +21,7 @@ class AnimalFollower {
 public:
     AnimalFollower(const Rig& rig, const ReferenceSkeleton& reference, const Recording& recording,
                    const MotionJoints& joints);
-    Quaternion rotation(std::size_t bone, std::size_t pose) const; // against the parent bone
+    const BoneTurns& turns() const { return turns_; }
     double forwards() const { return forwards_; } // 1: it looks to the right of the picture, −1: to the left
 
 private:
@@ -33,7 +38,7 @@ private:
     const Recording& recording_;
     const MotionJoints& joints_;
     double forwards_ = -1;
-    std::vector<std::vector<double>> turns_; // [bone][pose], against the drawing
+    BoneTurns turns_;
 };
 
 } // namespace pantin

@@ -17,13 +17,6 @@ AnimalFollower::AnimalFollower(const Rig& rig, const ReferenceSkeleton& referenc
     for (std::size_t b = 0; b < rig.bones.size(); ++b) drive(b);
 }
 
-Quaternion AnimalFollower::rotation(std::size_t bone, std::size_t pose) const {
-    const int parent = rig_.bones[bone].parent;
-    const double angle =
-        turns_[bone][pose] - (parent >= 0 ? turns_[static_cast<std::size_t>(parent)][pose] : 0);
-    return {0, 0, math::sin(angle / 2), math::cos(angle / 2)};
-}
-
 // The joints that a reference's joint follows, from its root outwards.
 AnimalFollower::Limb AnimalFollower::limb_of(const std::string& joint) const {
     const MotionJoints::Side& side = joint.ends_with("left") ? joints_.left : joints_.right;
@@ -46,12 +39,9 @@ void AnimalFollower::drive(std::size_t b) {
     const Limb limb = limb_of(name);
     if (bone.parent >= 0) turns_[b] = turns_[static_cast<std::size_t>(bone.parent)];
     if (limb.chain.empty() || bone.segment > 1) return;
-    const bool alone = std::none_of(rig_.bones.begin(), rig_.bones.end(), [&](const Bone& other) {
-        return other.parent == static_cast<int>(b) && other.reference_joint == bone.reference_joint;
-    });
     const std::size_t middle = limb.chain.size() / 2;
     const int from = bone.segment == 0 ? limb.chain.front() : limb.chain[middle];
-    const int to = bone.segment == 0 && !alone ? limb.chain[middle] : limb.chain.back();
+    const int to = bone.segment == 0 && goes_on(rig_, b) ? limb.chain[middle] : limb.chain.back();
     const std::vector<double> own = swing(from, to, limb.wing);
     if (own.empty()) return;
     const double outwards = bone.tail.x >= bone.head.x ? 1 : -1;

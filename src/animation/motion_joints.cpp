@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which joint of a recorded motion plays which part of a body: by hand, by its name, by the skeleton's shape.
 #include <algorithm>
-#include <array>
 #include <iterator>
 
 #include "animation/body_axes.hpp"
@@ -41,8 +40,6 @@ constexpr Part body_parts[] = {
     {"right shin", [](MotionJoints& j) { return &j.right.shin; }, true, 12},
     {"right foot", [](MotionJoints& j) { return &j.right.foot; }, true, 13},
 };
-// By value of BodyPlan.
-constexpr std::array<const char*, 3> plan_names = {"humanoid", "quadruped", "bird"};
 
 std::vector<SimpleName> names_of(const Motion& motion) {
     std::vector<std::string> names;
@@ -50,19 +47,22 @@ std::vector<SimpleName> names_of(const Motion& motion) {
     return simplified(names);
 }
 
-bool is_chain(const Motion& motion, int a, int b, int c) {
-    if (a < 0 || b < 0 || c < 0 || a == b || b == c) return false;
-    return common_ancestor(motion, a, b) == a && common_ancestor(motion, b, c) == b;
+// The first part that does not hang from the one that it should; none: the limbs hang together. Hips that
+// carry no legs count only where a map names them: complete() finds others.
+const Part* loose_part(const Motion& motion, MotionJoints joints, bool hips_named = false) {
+    for (const Part& part : body_parts) {
+        const int joint = *part.of(joints), from = part.above < 0 ? -1 : *body_parts[part.above].of(joints);
+        if (joint < 0 || from < 0 || (part.above == 0 && !hips_named)) continue;
+        if (from == joint || common_ancestor(motion, from, joint) != from) return &part;
+    }
+    return nullptr;
 }
 
-// Every required part of the limbs is there, and forearms hang from upper arms.
+// Every part of the limbs is there, and forearms hang from upper arms.
 bool is_complete(const Motion& motion, MotionJoints joints) {
     for (const Part& part : body_parts)
-        if (part.required && part.above >= 0 && *part.of(joints) < 0) return false;
-    for (const MotionJoints::Side& s : {joints.left, joints.right})
-        if (!is_chain(motion, s.upper_arm, s.forearm, s.hand) || !is_chain(motion, s.thigh, s.shin, s.foot))
-            return false;
-    return true;
+        if (part.required && *part.of(joints) < 0) return false;
+    return !loose_part(motion, joints);
 }
 
 // The way from the neck, or from the chest, that no limb takes ends in the head.
@@ -119,10 +119,15 @@ void apply(const JointMap& by_hand, const Motion& motion, MotionJoints& joints) 
     }
 }
 
+bool names_hips(const JointMap& by_hand) {
+    return std::any_of(by_hand.begin(), by_hand.end(),
+                       [](const auto& entry) { return entry.first == "hips"; });
+}
+
 void apply_plan(const JointMap& by_hand, MotionJoints& joints) {
     for (const auto& [part, name] : by_hand)
-        for (std::size_t k = 0; part == "body" && k < plan_names.size(); ++k)
-            if (plan_names[k] == name) joints.plan = static_cast<BodyPlan>(k);
+        for (std::size_t k = 0; part == "body" && k < body_plan_names.size(); ++k)
+            if (body_plan_names[k] == name) joints.plan = static_cast<BodyPlan>(k);
 }
 
 // Every joint of the map is there.
@@ -136,22 +141,14 @@ void check(const JointMap& by_hand, const Motion& motion, const std::string& fil
                                               part + did_you_mean(name, names));
 }
 
-// Two parts, of which the second does not hang from the first; empty: all do.
-std::string loose_part(const Motion& motion, MotionJoints joints) {
-    const auto name = [&](int joint) {
-        const std::string& own = motion.joints[at(joint)].name;
-        return own.empty() ? "an end site" : "'" + own + "'";
+[[noreturn]] void refuse(const Motion& motion, MotionJoints joints, const Part& loose,
+                         const std::string& file) {
+    const auto place = [&](const Part& part) {
+        const std::string& own = motion.joints[at(*part.of(joints))].name;
+        return std::string(part.name) + ", " + (own.empty() ? "an end site" : "'" + own + "'");
     };
-    for (std::size_t p = 0; p < std::size(body_parts); ++p) {
-        const int joint = *body_parts[p].of(joints);
-        if (body_parts[p].above < 0 || joint < 0) continue;
-        const Part& above = body_parts[body_parts[p].above];
-        const int from = *above.of(joints);
-        if (from >= 0 && (from == joint || common_ancestor(motion, from, joint) != from))
-            return "the " + std::string(body_parts[p].name) + ", " + name(joint) +
-                   ", does not hang from the " + above.name + ", " + name(from);
-    }
-    return "";
+    throw Error(ErrorKind::input, file + ": the " + place(loose) + ", does not hang from the " +
+                                      place(body_parts[loose.above]));
 }
 
 [[noreturn]] void refuse(const Motion& motion, MotionJoints joints, const JointMap& by_hand,
@@ -160,8 +157,8 @@ std::string loose_part(const Motion& motion, MotionJoints joints) {
     for (const Part& part : body_parts)
         if (missing.empty() && part.required && *part.of(joints) < 0) missing = part.name;
     if (missing.empty() || !by_hand.empty())
-        if (const std::string loose = loose_part(motion, joints); !loose.empty())
-            throw Error(ErrorKind::input, file + ": " + loose);
+        if (const Part* loose = loose_part(motion, joints, names_hips(by_hand)))
+            refuse(motion, joints, *loose, file);
     throw Error(ErrorKind::input, file + ": no joint plays the " +
                                       (missing.empty() ? "left upper arm" : missing) + " (" +
                                       list_of_names(motion) + "); --motion-map names the joints by hand");
@@ -197,9 +194,8 @@ MotionJoints match_joints(const Motion& motion, const std::string& file, const J
                 continue;
             }
         }
-        if (!by_hand.empty())
-            if (const std::string loose = loose_part(motion, found); !loose.empty())
-                throw Error(ErrorKind::input, file + ": " + loose);
+        if (const Part* loose = loose_part(motion, found, names_hips(by_hand)))
+            refuse(motion, found, *loose, file);
         require_lengths(motion, found, file);
         complete(motion, names, found);
         apply_plan(by_hand, found);
@@ -211,7 +207,7 @@ MotionJoints match_joints(const Motion& motion, const std::string& file, const J
 JointMap match_table(const Motion& motion, const MotionJoints& joints) {
     JointMap table;
     if (joints.plan != BodyPlan::humanoid)
-        table.emplace_back("body", plan_names[static_cast<std::size_t>(joints.plan)]);
+        table.emplace_back("body", std::string(body_plan_names[static_cast<std::size_t>(joints.plan)]));
     const auto add = [&](const std::string& part, int joint) {
         if (joint < 0) return;
         const MotionJoint& j = motion.joints[at(joint)];

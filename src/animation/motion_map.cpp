@@ -18,7 +18,8 @@ JointMap parse_motion_map(const std::string& text, const std::string& file) {
         if (std::find(parts.begin(), parts.end(), part) == parts.end())
             reader.fail("'" + part + "' is no part of a body" + did_you_mean(part, parts));
         const std::string name = joint.text();
-        if (part == "body" && name != "humanoid" && name != "quadruped" && name != "bird")
+        if (part == "body" &&
+            std::find(body_plan_names.begin(), body_plan_names.end(), name) == body_plan_names.end())
             joint.fail("must be humanoid, quadruped or bird");
         map.emplace_back(part, name);
     }

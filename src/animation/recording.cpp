@@ -62,10 +62,7 @@ Vec3 Recording::in_own_directions(Vec3 v, Vec3 heading) const {
 // Where a pose says that its figure looks to, on the ground: its left side and its chest (of one on four
 // legs, its trunk) each say it, and each the less the more it points up or down.
 Vec3 Recording::heading_vote(const Frame& frame) const {
-    const auto joint = [&](int j) { return frame[static_cast<std::size_t>(j)]; };
-    const Vec3 left = unit(joint(joints_.left.upper_arm) - joint(joints_.right.upper_arm) +
-                               joint(joints_.left.thigh) - joint(joints_.right.thigh),
-                           {});
+    const Vec3 left = unit(leftwards(frame, joints_), {});
     const Vec3 trunk = unit(limb_directions(frame, joints_).trunk, {});
     Vec3 chest = cross(left, trunk);
     if (joints_.plan == BodyPlan::quadruped) chest = trunk;
@@ -127,10 +124,7 @@ Vec3 Recording::turned(Vec3 horizontal, double angle) const {
 }
 
 void Recording::find_legs() {
-    const auto leg = [&](const MotionJoints::Side& s) {
-        return distance(at(0, s.shin), at(0, s.thigh)) + distance(at(0, s.foot), at(0, s.shin));
-    };
-    leg_length_ = std::max(1e-9, 0.5 * (leg(joints_.left) + leg(joints_.right)));
+    leg_length_ = std::max(1e-9, pantin::leg_length(frames_[0], joints_));
     const Vec3 below = at(0, joints_.hips) - 0.5 * (at(0, joints_.left.thigh) + at(0, joints_.right.thigh));
     standing_height_ = leg_length_ + std::min(length(below), 0.5 * leg_length_);
     double ground = dot(at(0, joints_.left.foot), up_);

@@ -4,9 +4,6 @@
 #include <memory>
 
 #include "cli/command.hpp"
-#include "core/file.hpp"
-#include "core/json_reader.hpp"
-#include "formats/file_names.hpp"
 
 namespace pantin::cli {
 
@@ -18,16 +15,6 @@ struct Arguments {
     std::string input, out, calls, reference;
     bool animate = false;
 };
-
-// "quadruped (0.97)", of a folder that was identified.
-std::string type_line(const std::filesystem::path& folder) {
-    const std::filesystem::path file = folder / file_names::identification;
-    const Json json = parse_json(read_text(file), file.string());
-    const JsonReader reader(json, file.string());
-    char confidence[16];
-    std::snprintf(confidence, sizeof confidence, "%.2f", reader.at("confidence").number(0, 1));
-    return reader.at("reference").text() + " (" + confidence + ")";
-}
 
 int run_model(const Arguments& arguments) {
     Settings settings = make_settings(arguments.common, arguments.render);
@@ -41,12 +28,10 @@ int run_model(const Arguments& arguments) {
         arguments.out.empty() ? input / "model" : std::filesystem::path(arguments.out);
     model_folder(input, out, arguments.calls, settings);
     if (arguments.animate) {
-        identify_folder(out, settings);
-        Settings quiet = settings;
-        quiet.warning = nullptr; // render says it again
-        rig_folder(out, quiet);
-        render_folder(out, settings);
-        print_result(arguments.common, out.string() + ": moves like: " + type_line(out));
+        const Identification identified = animate_folder(out, settings);
+        char confidence[16];
+        std::snprintf(confidence, sizeof confidence, " (%.2f)", identified.confidence);
+        print_result(arguments.common, out.string() + ": moves like: " + identified.reference + confidence);
     }
     clear_progress();
     print_result(arguments.common, out.string());

@@ -51,6 +51,24 @@ Mask count_columns(const Mask& mask, int radius, int needed) {
 
 } // namespace
 
+Mask opaque_pixels(const RgbaImage& image) {
+    Mask opaque(image.width(), image.height());
+    std::transform(image.begin(), image.end(), opaque.begin(),
+                   [](Rgba8 p) -> std::uint8_t { return is_opaque(p); });
+    return opaque;
+}
+
+double share_of_frame(const Mask& mask) {
+    long all = 0, own = 0;
+    for (int y = 0; y < mask.height(); ++y)
+        for (int x = 0; x < mask.width(); ++x) {
+            if (x > 0 && y > 0 && x + 1 < mask.width() && y + 1 < mask.height()) continue;
+            ++all;
+            own += mask(x, y);
+        }
+    return all == 0 ? 0 : static_cast<double>(own) / static_cast<double>(all);
+}
+
 Mask pad(const Mask& mask, int margin) {
     Mask out(mask.width() + 2 * margin, mask.height() + 2 * margin);
     for (int y = 0; y < mask.height(); ++y)

@@ -109,4 +109,10 @@ FilledOutlines filled_outlines(const std::vector<Subpath>& subpaths, FillRule ru
     return result;
 }
 
+double share_inside(const std::vector<Point2d>& outline, const std::vector<Point2d>& other) {
+    const auto inside =
+        std::count_if(outline.begin(), outline.end(), [&](Point2d p) { return winding(other, p) != 0; });
+    return outline.empty() ? 0 : static_cast<double>(inside) / static_cast<double>(outline.size());
+}
+
 } // namespace pantin

@@ -26,4 +26,7 @@ bool has_area(const std::vector<Point2d>& outline);
 // error. Sunday 2001.
 int winding(const std::vector<Point2d>& outline, Point2d p);
 
+// Share of the outline's points that lie inside the other outline. No error. Own.
+double share_inside(const std::vector<Point2d>& outline, const std::vector<Point2d>& other);
+
 } // namespace pantin

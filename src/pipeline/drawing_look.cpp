@@ -19,7 +19,6 @@ constexpr int picture_side = 1000;    // pixels of the drawing that the network 
 constexpr double margin = 0.06;       // of its longer side, on each side
 constexpr double found_share = 0.85;  // of what is drawn, that a detected character has at least
 constexpr double detail_share = 0.03; // of what is drawn: larger holes are gaps between parts
-constexpr int pale = 200;             // mean luma of a figure whose details are dark
 constexpr double piece_share = 0.01;  // of the largest piece, that one has at least to be joined
 constexpr double bridge_length = 0.1; // of the picture's longer side, at most
 constexpr double bridge_width = 0.03; // of the same
@@ -115,7 +114,8 @@ void fill_details(RgbaImage& figure) {
     long drawn = 0, luma = 0;
     for (const Rgba8& p : figure)
         if (is_opaque(p)) ++drawn, luma += (299 * p.r + 587 * p.g + 114 * p.b) / 1000;
-    const Rgba8 ground = luma >= pale * drawn ? Rgba8{48, 52, 60, 255} : Rgba8{255, 255, 255, 255};
+    const Rgba8 ground = luma >= pale * drawn ? Rgba8{dark_ground.r, dark_ground.g, dark_ground.b, 255}
+                                              : Rgba8{255, 255, 255, 255};
     const Mask filled = fill_holes(opaque, static_cast<long>(detail_share * static_cast<double>(drawn)));
     for (std::size_t i = 0; i < filled.size(); ++i)
         if (filled.data()[i] && !opaque.data()[i]) figure.data()[i] = ground;
@@ -202,13 +202,6 @@ double limb_share(const LabelMap& labels) {
 } // namespace
 
 long pixel_count(const Mask& mask) { return std::count(mask.begin(), mask.end(), 1); }
-
-Mask opaque_pixels(const RgbaImage& image) {
-    Mask mask(image.width(), image.height());
-    std::transform(image.begin(), image.end(), mask.begin(),
-                   [](Rgba8 p) -> std::uint8_t { return is_opaque(p); });
-    return mask;
-}
 
 RgbImage without_paper(RgbImage drawing, const Mask& opaque, const LabelMap& labels) {
     const Grid<int> nearest = nearest_seed(opaque);

@@ -25,8 +25,6 @@ DrawingLook look_at(const Painting& painting, const std::string& name, Context& 
 // The drawing, of the opaque picture's size, with labelled pixels that are not opaque in the colour of the
 // nearest one that is: what is made thicker than it is drawn has no rim of paper. No error.
 RgbImage without_paper(RgbImage drawing, const Mask& opaque, const LabelMap& labels);
-// Where the picture is opaque. No error.
-Mask opaque_pixels(const RgbaImage& image);
 // Pixels of the mask. No error.
 long pixel_count(const Mask& mask);
 

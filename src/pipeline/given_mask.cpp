@@ -17,9 +17,7 @@ constexpr double least_figure = 0.01; // … in which so much of the picture is 
 
 // Of a picture whose colours are all one: what is opaque, when something else is not.
 Mask opaque_part(const RgbaImage& picture) {
-    Mask mask(picture.width(), picture.height());
-    std::transform(picture.begin(), picture.end(), mask.begin(),
-                   [](Rgba8 p) -> std::uint8_t { return is_opaque(p); });
+    Mask mask = opaque_pixels(picture);
     if (std::count(mask.begin(), mask.end(), 1) == std::ssize(mask)) std::fill(mask.begin(), mask.end(), 0);
     return mask;
 }
@@ -36,15 +34,8 @@ Mask ones_of(const GreyImage& grey, const RgbaImage& picture) {
 }
 
 bool is_inverted(const Mask& mask) {
-    long border = 0, white = 0;
-    for (int y = 0; y < mask.height(); ++y)
-        for (int x = 0; x < mask.width(); ++x) {
-            if (x > 0 && y > 0 && x + 1 < mask.width() && y + 1 < mask.height()) continue;
-            ++border;
-            white += mask(x, y);
-        }
     const auto black = std::count(mask.begin(), mask.end(), 0);
-    return static_cast<double>(white) >= white_border * static_cast<double>(border) &&
+    return share_of_frame(mask) >= white_border &&
            static_cast<double>(black) >= least_figure * static_cast<double>(mask.size());
 }
 

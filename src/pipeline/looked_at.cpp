@@ -101,8 +101,7 @@ std::optional<LabelledStrokes> with_decoration(const Strokes& strokes) {
     for (const ModelCall& call : strokes.calls) {
         const auto* stroke = std::get_if<PartStroke>(&call);
         if (stroke && decorates[part++])
-            result.strokes.repairs.push_back("part '" + stroke->name +
-                                             "': lies on another one, which it decorates");
+            result.strokes.repairs.push_back(decoration_line(*stroke));
         else
             result.strokes.calls.push_back(call);
     }

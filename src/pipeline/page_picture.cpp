@@ -10,8 +10,7 @@ namespace pantin {
 
 namespace {
 
-constexpr int pale = 200; // luma from which a figure would vanish on white
-constexpr Rgb8 light_ground{255, 255, 255}, dark_ground{48, 52, 60};
+constexpr Rgb8 light_ground{255, 255, 255};
 constexpr int faintest_alpha = 8; // a picture that is nowhere more opaque is empty
 
 constexpr double sheet_size = 0.3;      // of the picture is opaque when it is a sheet,
@@ -28,13 +27,6 @@ RgbaImage with_full_alpha(RgbaImage image) {
     return image;
 }
 
-Mask opaque_part(const RgbaImage& picture) {
-    Mask opaque(picture.width(), picture.height());
-    std::transform(picture.begin(), picture.end(), opaque.begin(),
-                   [](Rgba8 p) -> std::uint8_t { return is_opaque(p); });
-    return opaque;
-}
-
 RgbImage colours_of(const RgbaImage& picture) {
     RgbImage colours(picture.width(), picture.height());
     std::transform(picture.begin(), picture.end(), colours.begin(), [](Rgba8 p) {
@@ -44,16 +36,7 @@ RgbImage colours_of(const RgbaImage& picture) {
 }
 
 // A transparent ground: most of the picture's border is.
-bool has_transparent_border(const Mask& opaque) {
-    long border = 0, clear = 0;
-    for (int y = 0; y < opaque.height(); ++y)
-        for (int x = 0; x < opaque.width(); ++x) {
-            if (x > 0 && y > 0 && x + 1 < opaque.width() && y + 1 < opaque.height()) continue;
-            ++border;
-            clear += !opaque(x, y);
-        }
-    return 2 * clear > border;
-}
+bool has_transparent_border(const Mask& opaque) { return share_of_frame(opaque) < 0.5; }
 
 // The luma that most opaque pixels have about them.
 int commonest_luma(const GreyImage& luma, const Mask& opaque, double& share) {
@@ -129,7 +112,7 @@ PagePicture on_paper(RgbImage picture, int rotate, bool flattens) {
 
 PagePicture load_page_picture(const std::filesystem::path& file, int rotate, bool flattens) {
     const RgbaImage loaded = with_full_alpha(load_rgba(file, min_image_side));
-    const Mask opaque = opaque_part(loaded);
+    const Mask opaque = opaque_pixels(loaded);
     if (!has_transparent_border(opaque)) return on_paper(composite_on_white(loaded), rotate, flattens);
 
     const GreyImage luma = greyscale(colours_of(loaded));
@@ -142,7 +125,7 @@ PagePicture load_page_picture(const std::filesystem::path& file, int rotate, boo
 }
 
 PagePicture cut_out_picture(const RgbaImage& figure) {
-    const Mask opaque = opaque_part(figure);
+    const Mask opaque = opaque_pixels(figure);
     const GreyImage luma = greyscale(colours_of(figure));
     long pale_pixels = 0, all = 0;
     for (std::size_t i = 0; i < luma.size(); ++i)

@@ -12,6 +12,9 @@
 
 namespace pantin {
 
+inline constexpr int pale = 200;               // luma from which a figure would vanish on white …
+inline constexpr Rgb8 dark_ground{48, 52, 60}; // … and is put on this
+
 struct PagePicture {
     RgbImage picture;
     PageInk ink;

@@ -216,21 +216,27 @@ Page detect_page(const fs::path& image, const fs::path& out, const Settings& set
 
 namespace {
 
-void run_step(const fs::path& folder, const Settings& settings, Step step) {
+Identification run_steps_on(const fs::path& folder, const Settings& settings, Step first, Step last) {
     require_folder(folder);
     Context context(settings);
     std::optional<std::vector<Warning>> warnings; // those of the films before are still of the films
+    Identification identification;
     try {
-        Character character = load_character(folder, step, context);
-        run_steps(character, folder, step, step, context, [&](Step s) { context.progress(name_of(s)); });
-        if (step == Step::identify) update_type(folder, character.identification, context.references());
-        if (step >= Step::rig) warnings = character.warnings;
+        Character character = load_character(folder, first, context);
+        run_steps(character, folder, first, last, context, [&](Step s) { context.progress(name_of(s)); });
+        identification = std::move(character.identification);
+        if (first == Step::identify) update_type(folder, identification, context.references());
+        if (last >= Step::rig) warnings = character.warnings;
     } catch (const CharacterRejected& rejected) {
         const std::string status = rejected.step() + ": " + rejected.what();
         set_result(folder, status, std::vector<Warning>());
         throw Error(ErrorKind::not_animated, folder.string() + ": " + status);
     }
     set_result(folder, "ok", warnings);
+    return identification;
+}
+void run_step(const fs::path& folder, const Settings& settings, Step step) {
+    run_steps_on(folder, settings, step, step);
 }
 
 } // namespace
@@ -247,6 +253,11 @@ void identify_folder(const fs::path& folder, const Settings& settings) {
 void rig_folder(const fs::path& folder, const Settings& settings) { run_step(folder, settings, Step::rig); }
 void render_folder(const fs::path& folder, const Settings& settings) {
     run_step(folder, settings, Step::render);
+}
+Identification animate_folder(const fs::path& folder, const Settings& settings) {
+    Identification identification = run_steps_on(folder, settings, Step::identify, Step::identify);
+    run_steps_on(folder, settings, Step::rig, Step::render);
+    return identification;
 }
 
 } // namespace pantin

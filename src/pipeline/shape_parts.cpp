@@ -33,7 +33,6 @@ struct Share {
     Label label = Label::background;
     double purity = 0; // of the pixels that are not hidden
     long visible = 0;
-    bool decoration = false;
 };
 
 std::vector<Share> shares_of(const Parts& parts, const DrawingLook& look) {
@@ -62,21 +61,6 @@ std::vector<Share> shares_of(const Parts& parts, const DrawingLook& look) {
         if (labelled > 0) shares[i].purity = static_cast<double>(most) / static_cast<double>(labelled);
     }
     return shares;
-}
-
-// Small shapes on larger ones below them, without a name that says otherwise.
-void find_decoration(std::vector<Share>& shares, const Parts& parts) {
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        for (std::size_t j = 0; j < i && !shares[i].decoration; ++j) {
-            if (told(*parts[i]) != Label::background || shares[j].decoration) continue;
-            if (static_cast<double>(shares[i].size) > inside_size * static_cast<double>(shares[j].size))
-                continue;
-            long inside = 0;
-            for (std::size_t k = 0; k < shares[i].area.size(); ++k)
-                inside += shares[i].area.data()[k] && shares[j].area.data()[k];
-            shares[i].decoration =
-                static_cast<double>(inside) >= inside_share * static_cast<double>(shares[i].size);
-        }
 }
 
 // Whether the parts are one skeleton.
@@ -146,13 +130,17 @@ std::vector<bool> decoration_of(const Parts& parts) {
     std::vector<bool> decorates(parts.size(), false);
     for (std::size_t i = 0; i < parts.size(); ++i)
         for (std::size_t j = 0; j < i && !decorates[i]; ++j) {
-            const std::vector<Point2d>&own = parts[i]->stroke, &other = parts[j]->stroke;
-            if (decorates[j] || told(*parts[i]) != told(*parts[j])) continue;
-            if (std::abs(area_of(own)) > inside_size * std::abs(area_of(other))) continue;
+            const Label own = told(*parts[i]);
+            if (decorates[j] || (own != Label::background && own != told(*parts[j]))) continue;
             decorates[i] =
-                std::all_of(own.begin(), own.end(), [&](Point2d p) { return winding(other, p) != 0; });
+                std::abs(area_of(parts[i]->stroke)) <= inside_size * std::abs(area_of(parts[j]->stroke)) &&
+                share_inside(parts[i]->stroke, parts[j]->stroke) >= inside_share;
         }
     return decorates;
+}
+
+std::string decoration_line(const PartStroke& part) {
+    return "part '" + part.name + "': lies on another one, which it decorates";
 }
 
 std::optional<Strokes> shapes_as_parts(const Strokes& strokes, const DrawingLook& look,
@@ -160,7 +148,7 @@ std::optional<Strokes> shapes_as_parts(const Strokes& strokes, const DrawingLook
     const Parts parts = parts_of(strokes);
     if (parts.empty() || parts.size() > most_parts) return {};
     std::vector<Share> shares = shares_of(parts, look);
-    find_decoration(shares, parts);
+    const std::vector<bool> decorates = decoration_of(parts);
     const LabelMap& seen = look.picture.labels;
     const auto silhouette =
         static_cast<double>(static_cast<long>(seen.size()) - std::count(seen.begin(), seen.end(), 0));
@@ -175,9 +163,8 @@ std::optional<Strokes> shapes_as_parts(const Strokes& strokes, const DrawingLook
     double agreed = 0, visible = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Share& share = shares[i];
-        if (share.decoration) {
-            result.repairs.push_back("part '" + parts[i]->name +
-                                     "': lies on another one, which it decorates");
+        if (decorates[i]) {
+            result.repairs.push_back(decoration_line(*parts[i]));
             continue;
         }
         PartStroke part = *parts[i];

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "pantin/model.hpp"
@@ -17,8 +18,11 @@ Parts parts_of(const Strokes& strokes);
 // The label that the part has or that its name tells; background when neither does. No error.
 Label told(const PartStroke& part);
 
-// Whether each part lies wholly on an earlier one of the same label that is much larger. No error. Own.
+// Whether each part lies on an earlier one that is much larger, and has its label or none of its own. No
+// error. Own.
 std::vector<bool> decoration_of(const Parts& parts);
+// What is said of such a part.
+std::string decoration_line(const PartStroke& part);
 // The strokes with a label for each: its own, or the one that most of what is seen of it has, in an order in
 // which each meets an earlier one; small shapes on larger ones decorate these and are left out, with a line.
 // Nothing when shapes do not part the drawing as the network does, or do not make one skeleton. No error.

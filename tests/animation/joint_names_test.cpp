@@ -321,3 +321,14 @@ TEST_CASE("A skeleton without arms is refused by name and shape", "[motion]") {
     CHECK(text.starts_with("p.bvh: no joint plays the left upper arm (Hips, "));
     CHECK(text.ends_with("--motion-map names the joints by hand"));
 }
+
+TEST_CASE("A map of the arms does not ask for the hips, which the legs show", "[motion]") {
+    // What is called "Pelvis" hangs beside the legs.
+    SkeletonNames names = meaningless();
+    SkeletonJoint body = person(names);
+    body.children.push_back({"Pelvis", 0, -2, 0, {}});
+    const Motion motion = motion_of(body);
+    const MotionJoints joints = match_joints(
+        motion, "p.bvh", {{"left upper arm", "a2"}, {"left forearm", "a3"}, {"left hand", "a4"}});
+    CHECK(name_of(motion, joints.hips) == names.hips);
+}

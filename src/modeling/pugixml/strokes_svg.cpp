@@ -33,7 +33,8 @@ constexpr std::size_t most_shown = 40;         // characters of a value in a mes
 
 // What ends the whole drawing, not one element of it.
 struct DrawingError : Error {
-    DrawingError(const std::string& file, const std::string& fact) : Error(ErrorKind::input, file + ": " + fact) {}
+    DrawingError(const std::string& file, const std::string& fact)
+        : Error(ErrorKind::input, file + ": " + fact) {}
 };
 
 // What an element has from those around it.

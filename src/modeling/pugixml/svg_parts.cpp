@@ -204,11 +204,13 @@ private:
     }
     // Whether most of the shape's points are inside the outline; a head may look out of its badge.
     static bool lies_on(const GatheredShape& shape, const std::vector<Point2d>& outline) {
-        std::size_t inside = 0, all = 0;
+        double inside = 0, all = 0;
         for (const PaintedShape& painted : shape.painting)
-            for (const std::vector<Point2d>& points : painted.outlines)
-                for (const Point2d p : points) ++all, inside += winding(outline, p) != 0;
-        return static_cast<double>(inside) >= badge_share * static_cast<double>(all);
+            for (const std::vector<Point2d>& points : painted.outlines) {
+                const auto count = static_cast<double>(points.size());
+                all += count, inside += count * share_inside(points, outline);
+            }
+        return inside >= badge_share * all;
     }
 
     // The outline of a filled shape that is drawn as a shape of its own, before or behind it.
