@@ -4,7 +4,7 @@
 
 usage: dataset.py DATA OUT --source {label_maps,strokes,more,spg,doodle,people,things} [--rounds N] [--seed S]
 DATA is the folder of the real drawings (its README describes it); for doodle, people (its humanoids) and things the folder that tools/doodle wrote. Writes OUT/<source>_<k>.npy, uint8 (n, 2, 320, 320): darkness
-(0 paper, 255 ink) and part labels (255: not judged), and OUT/<source>_<k>.json with expert and pose of each.
+(0 paper, 255 ink) and part labels (255: not judged), and OUT/<source>_<k>.json with expert, pose and type of each.
 Drawings of fold 0 (DATA/split.py, held_out) never get in; those of more-labelled.ndjson are split by their group, and --without SOURCE
 leaves all of one origin out.
 """
@@ -21,7 +21,7 @@ import numpy as np
 
 import render
 import tone
-from model import POSES
+from model import POSES, TYPES
 
 SIZE = 320
 GROUND, WINGED, UNKNOWN = 0, 1, 255
@@ -30,7 +30,8 @@ FACING = {"left": "W", "right": "E", "front": "S", "back": "N"}
 THINGS = ("sun", "moon", "star", "cloud", "rain", "rainbow", "balloon", "heart", "house", "tree", "fir", "flower", "grass line",
           "grass tuft", "hill", "mountain", "fence", "car", "boat", "ball", "table", "arrow", "frame", "word", "sentence", "scrawl",
           "signature")
-SPG = {"pig": (GROUND, 400), "ant": (GROUND, 220), "crab": (GROUND, 150), "butterfly": (WINGED, 260), "duck": (WINGED, 300)}
+SPG = {"pig": (GROUND, "quadruped", 400), "ant": (GROUND, "other", 220), "crab": (GROUND, "other", 150),
+       "butterfly": (WINGED, "flying", 260), "duck": (WINGED, "flying", 300)}
 
 
 def load_module(path):
@@ -44,6 +45,14 @@ def pose_index(name):
     return POSES.index(name) if name in POSES else UNKNOWN
 
 
+def type_index(name, labels):
+    """how a character moves; a head alone is none of the types."""
+    judged = (labels != UNKNOWN) & (labels > 0)
+    if name not in TYPES or (labels == render.HEAD).sum() > 0.95 * judged.sum() > 0:
+        return TYPES.index("other")
+    return TYPES.index(name)
+
+
 def from_label_maps(data, rng, rounds):
     held_out = load_module(f"{data}/split.py").held_out
     rows = [r for r in csv.DictReader(open(f"{data}/label_maps/index.csv")) if not held_out(r["id"])]
@@ -54,7 +63,7 @@ def from_label_maps(data, rng, rounds):
             if (labels > 0).sum() < 400:
                 continue
             labels = render.deform(labels, rng, SIZE)
-            yield render.draw(labels, rng), labels, EXPERT[row["type"]], pose_index(row["pose"])
+            yield render.draw(labels, rng), labels, EXPERT[row["type"]], pose_index(row["pose"]), type_index(row["type"], labels)
 
 
 def frame(strokes, rng):
@@ -88,15 +97,19 @@ def expert_of(record):
 
 
 def drawn_strokes(data, records, rng, rounds):
-    convert = load_module(f"{data}/../tools/strokes_to_regions.py").convert
+    """each shape with three pens: its regions take a hundred times as long as its lines."""
+    script = load_module(f"{data}/../tools/strokes_to_regions.py")
     for _ in range(rounds):
-        for record in records:
-            pen, wobble = frame(record["strokes"], rng)
-            info = {}
-            image, labels = convert(jitter(record, rng), SIZE, rng.uniform(8, 20), pen, rng.normal(0, 7), wobble, True, info)
+        for record in rng.permutation(np.array(records, object)):
+            shape, margin, turn, info = jitter(record, rng), rng.uniform(8, 20), rng.normal(0, 7), {}
+            pen = frame(shape["strokes"], rng)[0]
+            placed, parts = script.place(shape, SIZE, margin, turn)
+            labels = script.regions(placed, parts, SIZE, pen, info)
             if info.get("open"):
                 continue
-            yield 255 - image, labels, expert_of(record), pose_index(FACING.get(record["facing"]))
+            for width in pen * np.array([1, rng.uniform(0.7, 0.9), rng.uniform(1.1, 1.4)]):
+                image = script.render(placed, SIZE, width, frame(placed, rng)[1])
+                yield 255 - image, labels, expert_of(record), pose_index(FACING.get(record["facing"])), type_index(record["type"], labels)
 
 
 def jitter(record, rng):
@@ -109,22 +122,22 @@ def from_spg(data, rng, rounds):
     convert = load_module(f"{data}/../tools/strokes_to_regions.py").convert
     held_out = load_module(f"{data}/split.py").held_out
     jobs = []
-    for name, (expert, limit) in SPG.items():
+    for name, (expert, kind, limit) in SPG.items():
         records = [json.loads(line) for line in open(f"{data}/strokes/spg-{name}.ndjson")]
         records = [r for r in records if not held_out(r["id"])]
         if name == "pig":
             whole = [r for r in records if {"body", "limb"} <= set(map(str, r["parts"]))]
             records = whole + [r for r in records if r not in whole][:40]
-        jobs += [(name, expert, r) for r in records[:limit]]
+        jobs += [(name, expert, kind, r) for r in records[:limit]]
     for _ in range(rounds):
         for k in rng.permutation(len(jobs)):
-            name, expert, record = jobs[k]
+            name, expert, kind, record = jobs[k]
             pen, wobble = frame(record["strokes"], rng)
             info = {}
             image, labels = convert(jitter(record, rng), SIZE, rng.uniform(8, 20), pen, rng.normal(0, 6), wobble, True, info)
             if info.get("open") or not labels.any():
                 continue
-            yield 255 - image, unsure(name, labels), expert, UNKNOWN
+            yield 255 - image, unsure(name, labels), expert, UNKNOWN, type_index(kind, labels)
 
 
 def unsure(name, labels):
@@ -148,9 +161,9 @@ def from_doodle(folder, rng, rounds):
         labels = cv2.imread(f"{folder}/label/{row['id']}.png", cv2.IMREAD_GRAYSCALE)
         darkness = (tone.ink_darkness(picture) * 255 + 0.5).astype(np.uint8)
         if row["type"] == "thing":                                # no labels; the species in the place of the expert
-            yield darkness, labels, THINGS.index(row["species"]), UNKNOWN
+            yield darkness, labels, THINGS.index(row["species"]), UNKNOWN, TYPES.index("other")
         else:
-            yield darkness, labels, EXPERT[row["type"]], pose_index(row["pose"])
+            yield darkness, labels, EXPERT[row["type"]], pose_index(row["pose"]), type_index(row["type"], labels)
 
 
 SOURCES = {"label_maps": from_label_maps, "strokes": from_strokes, "more": from_more, "spg": from_spg, "doodle": from_doodle, "people": from_doodle,
@@ -169,9 +182,9 @@ def write_shards(out, source, samples, shard=250):
         count, images, facts = count + 1, [], []
         print(source, count, flush=True)
 
-    for image, labels, expert, pose in samples:
+    for image, labels, *known in samples:
         images.append(np.stack([image, labels]).astype(np.uint8))
-        facts.append([int(expert), int(pose)])
+        facts.append([int(fact) for fact in known])
         if len(images) == shard:
             flush()
     if images:
@@ -204,8 +217,19 @@ class Shards:
         return images[k, 0], images[k, 1], *facts[k]
 
 
-def augment(ink, labels, expert, pose, rng, size):
-    """one training example: ink (size, size) float32 in [0, 1], labels (size, size) uint8, expert, pose."""
+def example(shards, rng):
+    """of the segmenter: of a thing the type alone is judged."""
+    ink, labels, expert, pose, kind = shards.draw(rng)
+    if expert in (GROUND, WINGED) and labels.any():
+        return ink, labels, expert, pose, kind
+    ys, xs = np.nonzero(ink > 60)
+    unknown = np.zeros_like(labels)
+    unknown[ys.min():ys.max() + 1, xs.min():xs.max() + 1] = UNKNOWN
+    return ink, unknown, UNKNOWN, UNKNOWN, kind
+
+
+def augment(ink, labels, expert, pose, kind, rng, size):
+    """one training example: ink (size, size) float32 in [0, 1], labels (size, size) uint8, expert, pose, type."""
     flip = rng.random() < 0.5
     if size <= 0.65 * SIZE:                              # first to half size by area, so that no thin line is lost
         ink = cv2.resize(ink, (SIZE // 2, SIZE // 2), interpolation=cv2.INTER_AREA)
@@ -243,7 +267,7 @@ def augment(ink, labels, expert, pose, rng, size):
         labels = cv2.warpAffine(labels, matrix, (size, size), flags=cv2.INTER_NEAREST)
     if flip and pose != UNKNOWN:
         pose = POSES.index(POSES[pose].translate(str.maketrans("EW", "WE")))
-    return cut_out(as_photographed(ink, rng), rng), labels, expert, pose
+    return cut_out(as_photographed(ink, rng), rng), labels, expert, pose, kind
 
 
 def cut_out(ink, rng):
@@ -278,9 +302,9 @@ def as_photographed(ink, rng):
 
 
 def batch(shards, count, rng, size):
-    examples = [augment(*shards.draw(rng), rng, size) for _ in range(count)]
-    ink, labels, experts, poses = zip(*examples)
-    return np.stack(ink)[:, None], np.stack(labels), np.array(experts), np.array(poses)
+    examples = [augment(*example(shards, rng), rng, size) for _ in range(count)]
+    ink, labels, *facts = zip(*examples)
+    return np.stack(ink)[:, None], np.stack(labels), *map(np.array, facts)
 
 
 def main():

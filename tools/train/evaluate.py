@@ -1,12 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Mean IoU over the parts present, with the 95 % interval of the mean, on held-out drawings (fold 0) made and labelled by the two shared scripts.
+"""Mean IoU over the parts present, with the 95 % interval of the mean, and the share of right types, on held-out drawings (fold 0) made and
+labelled by the two shared scripts.
 
-usage: evaluate.py DATA (--model CHECKPOINT_OR_SAFETENSORS [--raw] | --pantin BINARY) [--fold 0] [--erase 0.0]
-                   [--sheet OUT.png] [--report OUT.md]
+usage: evaluate.py DATA (--model CHECKPOINT_OR_SAFETENSORS [--raw] | --pantin BINARY) [--fold 0] [--erase 0.0] [--turn 0]
+                   [--sheet OUT.png] [--report OUT.md] [--table OUT.ndjson]
 DATA/../tools holds label_map_to_drawing.py and strokes_to_regions.py. For each drawing: IoU of every part that the truth has; its
 mean is the drawing's score; tables give the mean of the drawings and of each part. --sheet: drawing | truth | answer.
-With --pantin the drawing is a page for `pantin detect` and `pantin segment`; the largest character's labels are put back onto it.
+With --pantin the drawing is a page for `pantin detect`, `segment`, `skeletonize` and `identify`; the largest character's labels are put back onto it.
+--turn: the page is turned by so many degrees anticlockwise (90, 180, 270) before. --table: per drawing its scores, the type and the evidence.
+"type" is judged on drawings with limbs or wings of one of the three types: heads alone cannot be identified.
 """
 import argparse
 import collections
@@ -23,7 +26,7 @@ import torch
 
 import dataset
 import export
-from model import EXPERTS, LABELS
+from model import EXPERTS, LABELS, TYPES
 
 COLOURS = np.array([[255, 255, 255], [60, 90, 220], [220, 60, 60], [60, 180, 75], [245, 130, 48], [240, 200, 0]], np.uint8)
 PAD = 20                                            # paper added around a drawing, so that the page is larger than the character
@@ -80,36 +83,41 @@ def letterbox(ink, size):
 
 @torch.no_grad()
 def predict(model, image):
-    """page (h, w), 0 ink, 255 paper -> label map of the page, name of the expert."""
+    """page (h, w), 0 ink, 255 paper -> label map of the page, {"expert", "type"}."""
     darkness = 255 - image
     x, y, w, h = crop_box(darkness)
     page, (left, top, width, height) = letterbox(darkness[y:y + h, x:x + w].astype(np.float32) / 255, model.size)
-    parts, router, _ = model(torch.from_numpy(page)[None, None])
+    parts, router, _, kind = model(torch.from_numpy(page)[None, None])
     expert = EXPERTS[int(router[0].argmax())]
     chances = parts[expert][0].softmax(0)[:, top:top + height, left:left + width].numpy()
     chances = np.stack([cv2.resize(c, (int(w), int(h)), interpolation=cv2.INTER_LINEAR) for c in chances])
     labels = np.zeros(image.shape, np.uint8)
     labels[y:y + h, x:x + w] = chances.argmax(0)
-    return labels, expert
+    return labels, {"expert": expert, "type": TYPES[int(kind[0, :3].argmax())], "types": kind[0].softmax(0).tolist()}
 
 
 def run_pantin(binary, image):
-    """page -> label map of the page by the program, name of the expert ("" when nothing was found)."""
-    labels, expert = np.zeros(image.shape, np.uint8), ""
+    """page -> label map of the page by the program, and what it says of the character ("expert", "type", …; {} when nothing was found)."""
+    labels = np.zeros(image.shape, np.uint8)
     with tempfile.TemporaryDirectory() as folder:
+        def step(name, *arguments):
+            return subprocess.run([binary, name, *arguments, "--quiet"], stderr=subprocess.DEVNULL).returncode == 0
         cv2.imwrite(f"{folder}/page.png", image)
-        if subprocess.run([binary, "detect", f"{folder}/page.png", "-o", f"{folder}/out", "--quiet"]).returncode:
-            return labels, expert
+        if not step("detect", f"{folder}/page.png", "-o", f"{folder}/out"):
+            return labels, {}
         characters = json.load(open(f"{folder}/out/page.json"))["characters"]
         found = max(characters, key=lambda c: c["box"][2] * c["box"][3])
         place = os.path.join(folder, "out", found["folder"])
-        if subprocess.run([binary, "segment", place, "--quiet"]).returncode:
-            return labels, expert
+        if not step("segment", place):
+            return labels, {}
         x, y, w, h = found["box"]
         answer = cv2.imread(f"{place}/labels.png", cv2.IMREAD_GRAYSCALE)
         labels[y:y + h, x:x + w] = cv2.resize(answer, (w, h), interpolation=cv2.INTER_NEAREST)
-        expert = json.load(open(f"{place}/segmentation.json"))["expert"]
-    return labels, expert
+        facts = json.load(open(f"{place}/segmentation.json"))
+        if step("skeletonize", place) and step("identify", place):
+            facts["identification"] = json.load(open(f"{place}/identification.json"))
+            facts["type"] = facts["identification"]["type"]
+        return labels, {**facts, "figures": len(characters)}
 
 
 def part_scores(truth, answer):
@@ -123,9 +131,21 @@ def part_scores(truth, answer):
     return scores
 
 
+def judged_type(drawing):
+    """with limbs or wings, and one of the three types."""
+    return drawing.kind in dataset.EXPERT and np.isin(drawing.truth, (3, 5)).sum() > 0.002 * (drawing.truth > 0).sum()
+
+
+def wilson(right, n):
+    """95 % interval of a share."""
+    z, p = 1.96, right / n
+    middle, half = p + z * z / (2 * n), z * np.sqrt(p * (1 - p) / n + z * z / (4 * n * n))
+    return (middle - half) / (1 + z * z / n), (middle + half) / (1 + z * z / n)
+
+
 def table(rows):
-    """rows: list of (drawing, part scores, expert right) -> lines of a Markdown table per group, type and class."""
-    names = ["mean IoU"] + LABELS[1:] + ["silhouette", "router"]
+    """rows: list of (drawing, part scores, facts) -> lines of a Markdown table per group, type and class."""
+    names = ["mean IoU"] + LABELS[1:] + ["silhouette", "router", "type"]
     lines = ["| drawings | n | " + " | ".join(names) + " |", "|---|---|" + "---|" * len(names)]
     groups = collections.OrderedDict()
     for row in rows:
@@ -140,7 +160,10 @@ def table(rows):
             values = [scores[part] for _, scores, _ in members if part in scores]
             cells.append(f"{np.mean(values):.3f} ({len(values)})" if values and part != "silhouette" else
                          f"{np.mean(values):.3f}" if values else "–")
-        cells.append(f"{np.mean([right for _, _, right in members]):.2f}")
+        routed = [EXPERTS.index(facts["expert"]) == dataset.EXPERT[d.kind] if facts else False for d, _, facts in members if d.kind in dataset.EXPERT]
+        cells.append(f"{np.mean(routed):.2f}" if routed else "–")
+        typed = [facts.get("type") == d.kind for d, _, facts in members if judged_type(d)]
+        cells.append("{:.2f} [{:.2f}, {:.2f}] ({})".format(np.mean(typed), *wilson(sum(typed), len(typed)), len(typed)) if typed else "–")
         lines.append(f"| {', '.join(key)} | {len(members)} | " + " | ".join(cells) + " |")
     return lines
 
@@ -167,18 +190,27 @@ def main():
     parser.add_argument("--erase", type=float, default=0.0)
     parser.add_argument("--sheet")
     parser.add_argument("--report")
+    parser.add_argument("--turn", type=int, choices=(0, 90, 180, 270), default=0)
+    parser.add_argument("--table")
     args = parser.parse_args()
     torch.set_num_threads(1)
     model = export.load(args.model, args.raw) if args.model else None
     rows, tiles = [], []
     for drawing in held_out_drawings(args.data, args.fold, args.erase):
-        answer, expert = predict(model, drawing.image) if model else run_pantin(args.pantin, drawing.image)
-        right = bool(expert) and drawing.kind in dataset.EXPERT and EXPERTS.index(expert) == dataset.EXPERT[drawing.kind]
+        if args.turn:
+            drawing = drawing._replace(**{key: np.ascontiguousarray(np.rot90(getattr(drawing, key), args.turn // 90)) for key in ("image", "truth")})
+        answer, facts = predict(model, drawing.image) if model else run_pantin(args.pantin, drawing.image)
         scores = part_scores(drawing.truth, answer)
-        rows.append((drawing, scores, right))
+        rows.append((drawing, scores, facts))
         tile = picture(drawing, answer)
-        cv2.putText(tile, f"{drawing.name} {np.mean(list(scores.values())[:-1]):.2f} {expert}", (3, 11), 0, 0.35, (0, 0, 0), 1, cv2.LINE_AA)
+        score = np.mean(list(scores.values())[:-1])
+        cv2.putText(tile, f"{drawing.name} {score:.2f} {facts.get('type')}", (3, 11), 0, 0.35, (0, 0, 0), 1, cv2.LINE_AA)
         tiles.append(tile)
+    if args.table:
+        with open(args.table, "w") as out:
+            for d, scores, facts in rows:
+                out.write(json.dumps({"id": d.name, "group": d.group, "kind": d.kind, "class": d.category, "judged": bool(judged_type(d)),
+                                      "scores": {k: float(v) for k, v in scores.items()}, **facts}) + "\n")
     lines = table(rows)
     print("\n".join(lines))
     if args.report:

@@ -64,7 +64,7 @@ def load(path, raw=False):
 
 
 def fixture(weights, expected):
-    """tiny widths, random weights and statistics; one input (48 x 48) and what both experts, the router and the pose head say."""
+    """tiny widths, random weights and statistics; one input (48 x 48) and what both experts and the other heads say."""
     torch.manual_seed(7)
     model = Segmenter((4, 6, 8, 10), (8, 6, 4), 48, (2, 4), (1, 2, 0))
     generator = torch.Generator().manual_seed(8)
@@ -76,10 +76,10 @@ def fixture(weights, expected):
     model.eval()
     ink = (torch.rand(1, 1, 48, 48, generator=generator) > 0.7).float() * torch.rand(1, 1, 48, 48, generator=generator)
     with torch.no_grad():
-        parts, router, pose = model(ink)
+        parts, router, pose, kind = model(ink)
     facts = metadata(model)
     write_safetensors(weights, tensors_of(model, "F32"), facts)
-    answers = {"input": ink, "router": router.softmax(1), "pose": pose.softmax(1)}
+    answers = {"input": ink, "router": router.softmax(1), "pose": pose.softmax(1), "type": kind.softmax(1)}
     for name in EXPERTS:
         answers[f"probabilities.{name}"] = parts[name].softmax(1)
     write_safetensors(expected, {k: v.numpy().astype(np.float32) for k, v in answers.items()}, facts)

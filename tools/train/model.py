@@ -16,6 +16,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from labels import NAMES as LABELS  # noqa: E402
 
 EXPERTS = ["ground", "winged"]
+TYPES = ["humanoid", "quadruped", "flying", "other"]     # other: fish, insects, heads alone, things
 POSES = ["E", "NE", "N", "NW", "W", "SW", "S", "SE"]
 INPUT = 256
 WIDTHS = (20, 40, 80, 112)
@@ -133,6 +134,19 @@ class Pose(nn.Module):
         return self.linear(self.conv(x).mean((2, 3)))
 
 
+class Kind(nn.Module):
+    """how the character moves (TYPES)."""
+
+    def __init__(self, inputs, width):
+        super().__init__()
+        self.conv = Block(inputs, width, 3, 2)
+        self.linear = nn.Linear(2 * width, len(TYPES))
+
+    def forward(self, x):
+        x = self.conv(x)
+        return self.linear(torch.cat([x.mean((2, 3)), x.amax((2, 3))], 1))
+
+
 class Segmenter(nn.Module):
     def __init__(self, widths=WIDTHS, decoder=DECODER, size=INPUT, contexts=CONTEXTS, refine=REFINE):
         super().__init__()
@@ -141,21 +155,22 @@ class Segmenter(nn.Module):
         self.stem = Stem(widths)
         self.router = Router(widths[3])
         self.pose = Pose(widths[3], decoder[0])
+        self.kind = Kind(widths[3], decoder[0])
         self.experts = nn.ModuleDict({name: Expert(widths, decoder, contexts, refine) for name in EXPERTS})
 
     def forward(self, ink, experts=None):
-        """ink (n,1,h,w) -> part logits, router logits, pose logits.
+        """ink (n,1,h,w) -> part logits, router logits, pose logits, type logits.
 
         experts: index of the expert of each image (training: decoders see their own images only, the part logits come in
         the order of `order`); None: both experts for every image, {name: logits}.
         """
         features = self.stem(ink)
-        router, pose = self.router(features[3]), self.pose(features[3])
+        heads = self.router(features[3]), self.pose(features[3]), self.kind(features[3])
         if experts is None:
-            return {name: expert(features) for name, expert in self.experts.items()}, router, pose
+            return {name: expert(features) for name, expert in self.experts.items()}, *heads
         parts = {name: self.experts[name]([f[experts == i] for f in features])
                  for i, name in enumerate(EXPERTS) if bool((experts == i).any())}
-        return parts, router, pose
+        return parts, *heads
 
 
 def widen(state, model):
@@ -176,4 +191,4 @@ def metadata(model):
     return {"model": "pantin.segmenter", "version": "2", "input": str(model.size), "widths": listed(model.widths),
             "decoder": listed(model.decoder), "contexts": listed(model.contexts), "refine": listed(model.refine),
             "experts": ",".join(EXPERTS), "labels": ",".join(LABELS),
-            "poses": ",".join(POSES)}
+            "poses": ",".join(POSES), "types": ",".join(TYPES)}

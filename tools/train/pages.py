@@ -22,7 +22,7 @@ LONGER = 384
 
 def character(shards, rng):
     """ink (h, w) uint8 and mask (h, w) bool of one drawing, cut to its box."""
-    ink, labels, _, _ = shards.draw(rng)
+    ink, labels, *_ = shards.draw(rng)
     return cut(ink, labels > 0)
 
 
@@ -130,7 +130,7 @@ class HeldOut:
 
     def draw(self, rng):
         d = self.drawings[int(rng.integers(len(self.drawings)))]
-        return 255 - d.image, d.truth, 0, 0
+        return 255 - d.image, d.truth
 
 
 def main():

@@ -31,7 +31,7 @@ class Things:
     def __init__(self, folder):
         shards, self.of = dataset.Shards(folder, {"things": 1}).sources["things"], {}
         for images, facts in shards.values():
-            for k, (species, _) in enumerate(facts):
+            for k, (species, *_) in enumerate(facts):
                 self.of.setdefault(dataset.THINGS[species], []).append((images, k))
         self.names = [name for name in NAMES if name in self.of]
         weights = np.array([PLACES[name][1] for name in self.names], float)
@@ -91,7 +91,7 @@ def coloured(ink, labels, rng):
 
 def character(shards, rng):
     """ink and mask of one drawing, cut to its box; a third is filled in."""
-    ink, labels, _, _ = shards.draw(rng)
+    ink, labels, *_ = shards.draw(rng)
     labels = np.asarray(labels)
     return pages.cut(coloured(np.asarray(ink), labels, rng) if rng.random() < 0.35 else ink, labels > 0)
 
