@@ -11,6 +11,7 @@
 #include "pantin/point.hpp"
 #include "pantin/reference.hpp"
 #include "pantin/skeletonization.hpp"
+#include "pantin/type_probabilities.hpp"
 
 namespace pantin {
 
@@ -89,8 +90,8 @@ struct Candidate {
     double distance = 0; // ggd of that side
     GgdTerms terms;      // what it is the sum of; zero when it was read from a file
     double score = 0;    // what decides; smaller is better; a tie goes to the earlier reference
-    // name → contribution to the score, in a fixed order: "graph" (the divided distance), "prior", then the
-    // traits of docs/identification.md. Empty unless `use_evidence`. They add up to the score.
+    // name → contribution to the score, in a fixed order: "graph" (the divided distance), "prior", the traits
+    // of docs/identification.md, then "seen" (the network's type head, if there is one). Empty unless `use_evidence`. They add up to the score.
     std::vector<std::pair<std::string, double>> evidence;
     bool optimal = true;
     std::vector<std::pair<int, int>> pairs; // (skeleton vertex, reference node), ascending
@@ -111,9 +112,9 @@ struct Identification {
 // (a scribble), one label only, or neither an end nor 2 % of the silhouette that is limb, wing or tail, and
 // no head that ends a body of 15 % (a head alone); when `options.reference` says what it moves like, for a
 // skeleton without an edge only. Error(input) when `options.reference` is none of the
-// references.
+// references. `seen`: what the segmentation network says of the type, a part of the evidence.
 Identification identify(const SkeletonGraph& graph, const LabelMap& labels,
                         const std::vector<ReferenceSkeleton>& references,
-                        const IdentificationOptions& options = {});
+                        const IdentificationOptions& options = {}, const TypeProbabilities& seen = {});
 
 } // namespace pantin

@@ -11,6 +11,7 @@
 
 #include "pantin/grid.hpp"
 #include "pantin/label.hpp"
+#include "pantin/type_probabilities.hpp"
 
 namespace pantin {
 
@@ -86,6 +87,7 @@ struct Segmentation {
     std::vector<std::pair<std::string, double>>
         router;                             // expert → probability, in the order of the weight file
     std::array<double, 8> pose{};           // probability per pose_names
+    TypeProbabilities type;                 // of a network with a type head
     std::vector<Grid<float>> probabilities; // [label_count], the crop at network size (for explain)
     LabelMap labels;                        // working size; the silhouette is labels ≠ 0
 };

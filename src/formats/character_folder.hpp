@@ -33,6 +33,8 @@ void save_rig(const std::filesystem::path& folder, const Rig& rig, const RgbaIma
 
 // Of the labels' size.
 SkeletonGraph read_skeleton(const std::filesystem::path& folder, const LabelMap& labels);
+// Of segmentation.json; nothing where there is none, or none of a network with a type head.
+TypeProbabilities read_type_probabilities(const std::filesystem::path& folder);
 Identification read_identification(const std::filesystem::path& folder, const SkeletonGraph& graph,
                                    const std::vector<ReferenceSkeleton>& references);
 Mapping read_mapping(const std::filesystem::path& file, const SkeletonGraph& graph,

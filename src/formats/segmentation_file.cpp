@@ -15,12 +15,26 @@ std::string segmentation_to_json(const Segmentation& segmentation) {
     json["stroke_ratio"] = segmentation.stroke_ratio;
     json["pose"] = Json::object();
     for (std::size_t i = 0; i < pose_names.size(); ++i) json["pose"][pose_names[i]] = segmentation.pose[i];
+    if (segmentation.type) {
+        json["type"] = Json::object();
+        for (std::size_t i = 0; i < type_names.size(); ++i) json["type"][type_names[i]] = (*segmentation.type)[i];
+    }
     std::array<long, label_count> areas{};
     for (const std::uint8_t label : segmentation.labels)
         if (label < label_count) ++areas[label];
     json["areas"] = Json::object();
     for (std::size_t i = 0; i < areas.size(); ++i) json["areas"][std::string(label_names[i])] = areas[i];
     return to_json_text(json);
+}
+
+TypeProbabilities type_probabilities_from_json(const std::string& text, const std::string& file) {
+    const Json json = parse_json(text, file);
+    const JsonReader reader(json, file);
+    if (!reader.has("type")) return {};
+    const JsonReader types = reader.at("type");
+    TypeProbabilities read(std::in_place);
+    for (std::size_t i = 0; i < type_names.size(); ++i) (*read)[i] = types.at(type_names[i]).number(0, 1);
+    return read;
 }
 
 } // namespace pantin

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "core/math.hpp"
+
 namespace pantin {
 namespace {
 
@@ -16,6 +18,8 @@ struct Row {
 
 // Score = graph_weight · divided distance + prior + Σ weight · trait, one row per type; smaller is better.
 constexpr double graph_weight = 3.110;
+// The type head's probability p adds −seen_weight · ln(p + seen_floor): however sure it is, it can be overruled.
+constexpr double seen_weight = 1.0, seen_floor = 0.02;
 constexpr std::array<Row, 3> table = {{
     {"humanoid",
      2.726,
@@ -40,12 +44,18 @@ const Row* find_row(const std::string& type) {
 bool has_evidence(const std::string& type) { return find_row(type) != nullptr; }
 
 std::vector<std::pair<std::string, double>> evidence_terms(const std::string& type, double divided_distance,
-                                                           const Traits& traits) {
+                                                           const Traits& traits,
+                                                           const TypeProbabilities& seen) {
     std::vector<std::pair<std::string, double>> terms = {{"graph", graph_weight * divided_distance}};
     const Row* row = find_row(type);
     if (!row) return terms;
     terms.emplace_back("prior", row->prior);
     for (int i = 0; i < trait_count; ++i) terms.emplace_back(trait_names[i], row->weights[i] * traits[i]);
+    if (seen) {
+        const auto index = std::find(type_names.begin(), type_names.end(), type) - type_names.begin();
+        const double probability = (*seen)[static_cast<std::size_t>(index)];
+        terms.emplace_back("seen", -seen_weight * math::log(probability + seen_floor));
+    }
     return terms;
 }
 

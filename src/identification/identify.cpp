@@ -155,7 +155,13 @@ std::string type_of(const ReferenceSkeleton& reference) {
     return nearest;
 }
 
-void score(Candidate& candidate, const ReferenceSkeleton& reference, const Traits& traits,
+// What the decision rests on beside the graph.
+struct Observations {
+    Traits traits;
+    TypeProbabilities seen;
+};
+
+void score(Candidate& candidate, const ReferenceSkeleton& reference, const Observations& observed,
            const IdentificationOptions& options) {
     if (options.thesis_score) {
         candidate.score = candidate.distance;
@@ -166,7 +172,7 @@ void score(Candidate& candidate, const ReferenceSkeleton& reference, const Trait
         candidate.score = divided;
         return;
     }
-    candidate.evidence = evidence_terms(type_of(reference), divided, traits);
+    candidate.evidence = evidence_terms(type_of(reference), divided, observed.traits, observed.seen);
     for (const auto& [name, contribution] : candidate.evidence) candidate.score += contribution;
 }
 
@@ -215,14 +221,14 @@ const ReferenceSkeleton& named(const std::vector<ReferenceSkeleton>& references,
 }
 
 // The references that stand on their own, by their scores.
-std::vector<Candidate> independent_candidates(const LabelledGraph& drawn, const Traits& traits,
+std::vector<Candidate> independent_candidates(const LabelledGraph& drawn, const Observations& observed,
                                               const std::vector<ReferenceSkeleton>& references,
                                               const IdentificationOptions& options) {
     std::vector<Candidate> candidates;
     for (const ReferenceSkeleton& reference : references) {
         if (!stands_alone(reference)) continue;
         candidates.push_back(compare(drawn, reference, options));
-        score(candidates.back(), reference, traits, options);
+        score(candidates.back(), reference, observed, options);
     }
     if (candidates.empty()) throw Error(ErrorKind::input, "every reference skeleton is like another one");
     sort_by_score(candidates);
@@ -230,11 +236,11 @@ std::vector<Candidate> independent_candidates(const LabelledGraph& drawn, const 
 }
 
 // A reference that is like another one: with evidence it has that one's, and goes before it.
-Candidate dependent_candidate(const LabelledGraph& drawn, const Traits& traits,
+Candidate dependent_candidate(const LabelledGraph& drawn, const Observations& observed,
                               const ReferenceSkeleton& reference, const Candidate& model,
                               const IdentificationOptions& options) {
     Candidate candidate = compare(drawn, reference, options);
-    score(candidate, reference, traits, options);
+    score(candidate, reference, observed, options);
     if (with_evidence(options)) {
         candidate.evidence = model.evidence;
         candidate.evidence.emplace_back("special", -special_bonus);
@@ -262,22 +268,22 @@ void describe(Identification& result, const ReferenceSkeleton& chosen,
 
 Identification identify(const SkeletonGraph& graph, const LabelMap& labels,
                         const std::vector<ReferenceSkeleton>& references,
-                        const IdentificationOptions& options) {
+                        const IdentificationOptions& options, const TypeProbabilities& seen) {
     if (references.empty()) throw Error(ErrorKind::input, "there is no reference skeleton to compare with");
     if (graph.edges.empty()) reject("a blob: its skeleton has no edge");
     if (options.reference.empty()) reject_what_cannot_move(graph, labels);
     const LabelledGraph drawn = normalised(to_labelled_graph(graph));
-    const Traits traits = measure_traits(graph, labels);
+    const Observations observed{measure_traits(graph, labels), seen};
     // The references that stand on their own …
-    const std::vector<Candidate> independent = independent_candidates(drawn, traits, references, options);
+    const std::vector<Candidate> independent = independent_candidates(drawn, observed, references, options);
     Identification result;
     result.candidates = independent;
     // … and those that are like one of them, where their needs are met or they are asked for.
     for (const ReferenceSkeleton& reference : references) {
         const Candidate* model = stands_alone(reference) ? nullptr : model_of(reference, independent);
         const bool wanted = reference.name == options.reference;
-        if (model && (wanted || (with_evidence(options) && needs_met(reference, graph, traits))))
-            result.candidates.push_back(dependent_candidate(drawn, traits, reference, *model, options));
+        if (model && (wanted || (with_evidence(options) && needs_met(reference, graph, observed.traits))))
+            result.candidates.push_back(dependent_candidate(drawn, observed, reference, *model, options));
     }
     sort_by_score(result.candidates);
     // The best one, unless the options decide.

@@ -25,6 +25,7 @@ Character load_character(const fs::path& folder, Step step, Context& context) {
     if (step <= Step::skeletonize) return c;
 
     c.skeletonization.graph = read_skeleton(folder, c.segmentation.labels);
+    c.segmentation.type = read_type_probabilities(folder);
     if (step <= Step::identify) return c;
 
     c.identification = read_identification(folder, c.skeletonization.graph, context.references());

@@ -69,7 +69,7 @@ void run_steps(Character& c, const fs::path& folder, Step first, Step last, Cont
     // Step 4 (4.5): the reference skeleton that is nearest by geometric graph distance.
     if (runs(Step::identify)) {
         c.identification = identify(c.skeletonization.graph, c.segmentation.labels, context.references(),
-                                    options.identification);
+                                    options.identification, c.segmentation.type);
         save_identification(folder, c.identification);
         c.reached = Step::identify;
     }

@@ -34,12 +34,13 @@ public:
     virtual Answer decode(int expert, const Runtime& runtime) const = 0;
 
     Tensor router; // probabilities of the experts, [1, experts, 1, 1]
+    Tensor type;   // probabilities [1, 4, 1, 1], in the order of type_names; empty without a type head
 };
 
 struct NetworkResult {
-    Tensor router, pose, parts; // as above
-    int expert = 0;             // the most probable one; the first among equals
-    double confidence = 0;      // of several views (views.hpp)
+    Tensor router, type, pose, parts; // as above
+    int expert = 0;                   // the most probable one; the first among equals
+    double confidence = 0;            // of several views (views.hpp)
 };
 
 class SegmentationNetwork {

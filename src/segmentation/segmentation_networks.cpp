@@ -25,7 +25,8 @@ NetworkResult SegmentationNetwork::forward(const Tensor& ink, const Runtime& run
     const std::unique_ptr<EncodedInput> encoded = encode(ink, runtime);
     if (expert < 0) expert = most_probable(encoded->router);
     Answer answer = encoded->decode(expert, runtime);
-    return {std::move(encoded->router), std::move(answer.pose), std::move(answer.parts), expert};
+    return {std::move(encoded->router), std::move(encoded->type), std::move(answer.pose),
+            std::move(answer.parts), expert};
 }
 
 std::unique_ptr<SegmentationNetwork> load_segmentation_network(const WeightFile& file) {

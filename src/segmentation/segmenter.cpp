@@ -63,6 +63,10 @@ Segmentation Segmenter::segment(const GreyImage& drawn, const Mask& mask, const 
         result.router.emplace_back(net.expert_names[e], seen.router(0, static_cast<int>(e), 0, 0));
     for (std::size_t p = 0; p < result.pose.size(); ++p)
         result.pose[p] = seen.pose(0, static_cast<int>(p), 0, 0);
+    if (seen.type.size() > 0) {
+        auto& type = result.type.emplace();
+        std::copy(seen.type.begin(), seen.type.end(), type.begin());
+    }
     result.probabilities =
         segmentation::from_output(seen.parts, segmentation::letterbox(ink.width(), ink.height(), net.input));
 

@@ -20,8 +20,8 @@ struct View {
     Tilt tilt;
     bool is_tilted = false, is_mirrored = false;
     std::unique_ptr<EncodedInput> encoded;
-    Tensor router, pose, parts; // of the drawing, not of the view
-    int expert = 0;             // that pose and parts are of
+    Tensor router, type, pose, parts; // of the drawing, not of the view
+    int expert = 0;                   // that pose and parts are of
     double confidence = 0, weight = 1;
 };
 
@@ -91,6 +91,7 @@ View make_view(const SegmentationNetwork& net, const Tensor& ink, double degrees
     if (mirror) seen = network::mirrored(seen);
     view.encoded = net.encode(seen, runtime);
     view.router = std::move(view.encoded->router);
+    view.type = std::move(view.encoded->type);
     ask(view, most_probable(view.router), runtime);
     view.confidence = confidence_of(view.parts);
     return view;
@@ -178,6 +179,7 @@ NetworkResult segment_views(const SegmentationNetwork& net, const Tensor& ink, c
     result.expert = most_probable(result.router);
     for (View& view : views)
         if (view.expert != result.expert) ask(view, result.expert, runtime);
+    result.type = weighted_mean(views, &View::type);
     result.pose = weighted_mean(views, &View::pose);
     result.parts = weighted_mean(views, &View::parts);
     return result;

@@ -6,6 +6,7 @@
 #include "formats/identification_file.hpp"
 #include "formats/mapping_file.hpp"
 #include "formats/pictures.hpp"
+#include "formats/segmentation_file.hpp"
 #include "formats/skeleton_file.hpp"
 #include "pantin/export.hpp"
 #include "verify/bytes.hpp"
@@ -17,6 +18,7 @@ namespace pantin {
 namespace {
 
 const std::string labels_file = character_path + file_names::labels,
+                  segmentation_file = character_path + file_names::segmentation,
                   graph_file = character_path + file_names::skeleton,
                   identification_file = character_path + file_names::identification,
                   mapping_file = character_path + file_names::mapping, mesh_file = trace_path + "mesh.json",
@@ -45,8 +47,9 @@ Decision decision_of(const StageContext& c, const SkeletonGraph& graph) {
 }
 
 Files identify_character(const StageContext& c) {
-    return {{identification_file, identification_to_json(identify(graph_of(c), c.grey(labels_file),
-                                                                  c.references, c.options.identification))}};
+    const TypeProbabilities seen = type_probabilities_from_json(c.text(segmentation_file), segmentation_file);
+    return {{identification_file, identification_to_json(identify(graph_of(c), c.grey(labels_file), c.references,
+                                                                  c.options.identification, seen))}};
 }
 
 Files map_ends(const StageContext& c) {
@@ -128,7 +131,7 @@ std::vector<Stage> motion_stages() {
         return files;
     };
     return {
-        {"identify", {graph_file, labels_file}, {identification_file}, identify_character},
+        {"identify", {graph_file, labels_file, segmentation_file}, {identification_file}, identify_character},
         {"map", {graph_file, labels_file, identification_file}, {mapping_file}, map_ends},
         {"mesh", for_rig, {mesh_file}, mesh},
         {"bones", for_rig, {bones_file}, bones},

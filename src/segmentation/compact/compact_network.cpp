@@ -13,12 +13,22 @@ Features Stem::forward(const Tensor& ink, const Runtime& runtime) const {
     return features;
 }
 
+namespace {
+
+// Mean and maximum of each channel, one after the other.
+Tensor pooled(const Tensor& x) {
+    return network::concatenate(network::global_average_pool(x), network::global_max_pool(x));
+}
+
+} // namespace
+
 Tensor Router::forward(const Features& features, const Runtime& runtime) const {
-    const Tensor& coarsest = features.stages.back();
-    const Tensor pooled = network::concatenate(network::global_average_pool(coarsest), // [224, 1, 1]
-                                               network::global_max_pool(coarsest));
-    const Tensor scores = linear.forward(pooled, runtime);
-    return network::softmax(scores, runtime);
+    return network::softmax(linear.forward(pooled(features.stages.back()), runtime), runtime);
+}
+
+Tensor TypeHead::forward(const Features& features, const Runtime& runtime) const {
+    const Tensor x = conv.forward(features.stages.back(), runtime);
+    return network::softmax(linear.forward(pooled(x), runtime), runtime);
 }
 
 Tensor PoseHead::forward(const Features& features, const Runtime& runtime) const {
@@ -48,6 +58,7 @@ struct Encoded : segmentation::EncodedInput {
     Encoded(const Network& net, Features stages, const Runtime& runtime)
         : network(net), features(std::move(stages)) {
         router = network.router->forward(features, runtime);
+        if (network.type) type = network.type->forward(features, runtime);
     }
     segmentation::Answer decode(int expert, const Runtime& runtime) const override {
         return {network.pose->forward(features, runtime),

@@ -51,6 +51,13 @@ struct PoseHead {
     Tensor forward(const Features& features, const Runtime& runtime) const; // probabilities, [8, 1, 1]
 };
 
+// How the character moves (type_names).
+struct TypeHead {
+    Block conv;                                                             // 112 → 64, 8×8
+    network::Linear linear;                                                 // 128 → 4
+    Tensor forward(const Features& features, const Runtime& runtime) const; // probabilities, [4, 1, 1]
+};
+
 struct Expert {
     // From coarse to fine: a block on the doubled map and the stem's stage, and what refines it.
     struct Stage {
@@ -67,6 +74,7 @@ struct Network : segmentation::SegmentationNetwork {
     Stem stem;
     std::optional<Router> router;
     std::optional<PoseHead> pose;
+    std::optional<TypeHead> type; // older files have none
     std::vector<Expert> experts;
 
     std::unique_ptr<segmentation::EncodedInput> encode(const Tensor& ink,

@@ -133,6 +133,13 @@ std::unique_ptr<segmentation::SegmentationNetwork> load_network(const WeightFile
     net.pose.emplace(
         PoseHead{{read_convolution(file, "pose.conv", {.in = in, .out = layout.decoder[0], .stride = 2})},
                  read_linear(file, "pose.linear", layout.decoder[0], static_cast<int>(pose_names.size()))});
+    if (file.has_metadata("types")) {
+        expect(file, "types", joined(type_names));
+        const int width = layout.decoder[0];
+        net.type.emplace(
+            TypeHead{{read_convolution(file, "kind.conv", {.in = in, .out = width, .stride = 2})},
+                     read_linear(file, "kind.linear", 2 * width, static_cast<int>(type_names.size()))});
+    }
     for (const std::string& name : net.expert_names)
         net.experts.push_back(read_expert(file, "experts." + name, layout));
     return loaded;
