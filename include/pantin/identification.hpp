@@ -91,7 +91,8 @@ struct Candidate {
     GgdTerms terms;      // what it is the sum of; zero when it was read from a file
     double score = 0;    // what decides; smaller is better; a tie goes to the earlier reference
     // name → contribution to the score, in a fixed order: "graph" (the divided distance), "prior", the traits
-    // of docs/identification.md, then "seen" (the network's type head, if there is one). Empty unless `use_evidence`. They add up to the score.
+    // of docs/identification.md, then "seen" (the network's type head, if there is one). Empty unless
+    // `use_evidence`. They add up to the score.
     std::vector<std::pair<std::string, double>> evidence;
     bool optimal = true;
     std::vector<std::pair<int, int>> pairs; // (skeleton vertex, reference node), ascending

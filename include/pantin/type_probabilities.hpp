@@ -11,7 +11,8 @@ namespace pantin {
 // `other`: none of the three, such as a fish, an insect, a head alone, a thing.
 inline constexpr std::array<const char*, 4> type_names = {"humanoid", "quadruped", "flying", "other"};
 
-// Probability per type_names; they add up to 1. Nothing where no network with a type head has seen the picture.
+// Probability per type_names; they add up to 1. Nothing where no network with a type head has seen the
+// picture.
 using TypeProbabilities = std::optional<std::array<double, type_names.size()>>;
 
 } // namespace pantin

@@ -61,7 +61,8 @@ SkeletonGraph read_skeleton(const fs::path& folder, const LabelMap& labels) {
 
 TypeProbabilities read_type_probabilities(const fs::path& folder) {
     const fs::path file = folder / file_names::segmentation;
-    return fs::exists(file) ? type_probabilities_from_json(read_text(file), file.string()) : TypeProbabilities();
+    return fs::exists(file) ? type_probabilities_from_json(read_text(file), file.string())
+                            : TypeProbabilities();
 }
 
 Identification read_identification(const fs::path& folder, const SkeletonGraph& graph,

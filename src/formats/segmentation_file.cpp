@@ -17,7 +17,8 @@ std::string segmentation_to_json(const Segmentation& segmentation) {
     for (std::size_t i = 0; i < pose_names.size(); ++i) json["pose"][pose_names[i]] = segmentation.pose[i];
     if (segmentation.type) {
         json["type"] = Json::object();
-        for (std::size_t i = 0; i < type_names.size(); ++i) json["type"][type_names[i]] = (*segmentation.type)[i];
+        for (std::size_t i = 0; i < type_names.size(); ++i)
+            json["type"][type_names[i]] = (*segmentation.type)[i];
     }
     std::array<long, label_count> areas{};
     for (const std::uint8_t label : segmentation.labels)

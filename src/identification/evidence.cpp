@@ -18,7 +18,8 @@ struct Row {
 
 // Score = graph_weight · divided distance + prior + Σ weight · trait, one row per type; smaller is better.
 constexpr double graph_weight = 3.110;
-// The type head's probability p adds −seen_weight · ln(p + seen_floor): however sure it is, it can be overruled.
+// The type head's probability p adds −seen_weight · ln(p + seen_floor): however sure it is, it can be
+// overruled.
 constexpr double seen_weight = 1.0, seen_floor = 0.02;
 constexpr std::array<Row, 3> table = {{
     {"humanoid",

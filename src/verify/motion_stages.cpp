@@ -48,8 +48,9 @@ Decision decision_of(const StageContext& c, const SkeletonGraph& graph) {
 
 Files identify_character(const StageContext& c) {
     const TypeProbabilities seen = type_probabilities_from_json(c.text(segmentation_file), segmentation_file);
-    return {{identification_file, identification_to_json(identify(graph_of(c), c.grey(labels_file), c.references,
-                                                                  c.options.identification, seen))}};
+    return {
+        {identification_file, identification_to_json(identify(graph_of(c), c.grey(labels_file), c.references,
+                                                              c.options.identification, seen))}};
 }
 
 Files map_ends(const StageContext& c) {
