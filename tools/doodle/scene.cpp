@@ -21,7 +21,7 @@ struct Area {
 void stand(Figure& figure, const Area& area, bool mirrored, bool stretched = false) {
     double x0 = 1e9, y0 = 1e9, x1 = -1e9, y1 = -1e9;
     for (const Part& part : figure.parts) {
-        if (part.kind == PartKind::mark) continue;
+        if (part.kind == PartKind::mark || part.within >= 0) continue;
         for (Point2d p : part.outline.points)
             x0 = std::min(x0, p.x), x1 = std::max(x1, p.x), y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
     }

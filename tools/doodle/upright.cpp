@@ -1,0 +1,684 @@
+// SPDX-License-Identifier: MIT
+// Upright figures as they are sketched: people in all poses and from the side, monkeys with tails, mermaids,
+// snowmen, bears, princesses, kangaroos. Units: about 100 from head to foot, x = 0 the middle, y down from
+// the head's.
+#include <algorithm>
+#include <cmath>
+
+#include "core/math.hpp"
+#include "doodle/contour.hpp"
+#include "doodle/species.hpp"
+
+namespace pantin::doodle {
+namespace {
+
+using math::pi;
+
+enum class Limbs { lines, ribbons, loops, open };
+enum class Trunk { line, oval, box, pear, dress, flowing };
+
+struct Body {
+    double hx, hy;         // half axes of the head
+    double top, length, w; // the trunk from `top` down, half its width
+    double arm, leg, thick;
+    Trunk trunk;
+    Limbs arms, legs;
+    double middle() const { return top + 0.5 * length; }
+    double bottom() const { return top + length; }
+};
+
+Body random_body(Builder& b) {
+    Random& r = b.random;
+    Body s{};
+    const bool big = r.chance(0.45);
+    s.hx = big ? r.uniform(13, 24) : r.uniform(7, 13), s.hy = s.hx * r.uniform(0.75, 1.25);
+    s.length = r.uniform(18, 42), s.w = s.length * r.uniform(0.18, 0.5);
+    s.top = s.hy + (r.chance(0.7) ? r.uniform(-3.0, 0.5) : r.uniform(0.5, 6));
+    s.arm = r.uniform(13, 36), s.leg = r.uniform(10, 42), s.thick = r.uniform(1.6, 4.5);
+    s.trunk = r.pick(std::vector<Trunk>{Trunk::line, Trunk::oval, Trunk::oval, Trunk::box, Trunk::pear,
+                                        Trunk::dress, Trunk::flowing});
+    const std::vector<Limbs> kinds = {Limbs::lines, Limbs::lines, Limbs::ribbons, Limbs::open, Limbs::loops};
+    s.arms = r.pick(kinds), s.legs = r.chance(0.7) ? s.arms : r.pick(kinds);
+    return s;
+}
+
+int add_head(Builder& b, const Body& s, bool face) {
+    Random& r = b.random;
+    const double exponent = r.chance(0.12) ? r.uniform(2.5, 6.0) : 2.0;
+    const Point2d c{r.uniform(-1.5, 1.5), 0};
+    const int head = b.region(Label::head, ellipse(c, s.hx, s.hy, r.uniform(-0.1, 0.1), exponent),
+                              r.chance(0.8) ? 1 : -0.3);
+    if (face && r.chance(0.85)) add_frontal_face(b, head, {c, s.hx, s.hy, 0});
+    return head;
+}
+
+int add_trunk(Builder& b, Body& s, int head) {
+    Random& r = b.random;
+    const double t = s.top, l = s.length, w = s.w, y = s.middle();
+    int trunk = 0;
+    switch (s.trunk) {
+    case Trunk::line:
+        s.w = 0;
+        trunk = b.stick(Label::body, {{0, s.hy - 0.5}, {r.uniform(-1.5, 1.5), y}, {0, s.bottom()}});
+        b.merge(trunk, head);
+        return trunk;
+    case Trunk::oval:
+        trunk = b.region(Label::body, ellipse({0, y}, w, 0.5 * l + 1, r.uniform(-0.1, 0.1)), 0);
+        break;
+    case Trunk::box: {
+        const double hip = w * r.uniform(0.7, 1.2);
+        trunk = b.region(Label::body, {{-w, t}, {w, t}, {hip, t + l}, {-hip, t + l}}, 0);
+        break;
+    }
+    case Trunk::dress: {
+        const double hem = w * r.uniform(1.3, 2.6), waist = t + l * r.uniform(0.25, 0.5),
+                     thin = w * r.uniform(0.3, 0.7);
+        const Path triangle{{-0.3 * w, t}, {0.3 * w, t}, {hem, t + l}, {-hem, t + l}};
+        const Path gown{{-0.6 * w, t},     {0.6 * w, t},  {thin, waist}, {hem, t + l},
+                        {0, t + 1.04 * l}, {-hem, t + l}, {-thin, waist}};
+        trunk = b.region(Label::body, r.chance(0.5) ? triangle : gown, 0);
+        if (r.chance(0.3)) b.mark(trunk, {{-w, waist}, {w, waist}});
+        break;
+    }
+    default: // a pear
+        trunk = b.region(Label::body,
+                         spline({{-0.5 * w, t},
+                                 {-0.9 * w, t + 0.45 * l},
+                                 {-1.1 * w, t + 0.85 * l},
+                                 {0, t + l},
+                                 {1.1 * w, t + 0.85 * l},
+                                 {0.9 * w, t + 0.45 * l},
+                                 {0.5 * w, t}},
+                                true, 6),
+                         0);
+    }
+    if (s.top > s.hy + 0.5) {
+        const double n = std::min(r.uniform(0.15, 0.35) * s.hx, 0.8 * w);
+        const int neck = r.chance(0.3) ? b.stick(Label::body, {{0, s.hy - 1}, {0, t + 2}}, -0.4)
+                                       : b.limb(Label::body, {{0, s.hy - 1.5}, {0, t + 2}}, {n}, -0.4,
+                                                {Cap::flat, Cap::flat, true, true});
+        b.merge(neck, trunk);
+    } else {
+        b.attach(head, trunk);
+    }
+    return trunk;
+}
+
+// One limb of any kind through its joints, from the trunk outwards.
+int add_limb(Builder& b, int trunk, const Path& line, double thick, Limbs kind, double depth, bool joined) {
+    Random& r = b.random;
+    if (kind == Limbs::lines) {
+        const int limb = b.stick(Label::limb, r.chance(0.4) ? spline(line, false) : line, depth);
+        const Point2d end = line.back(), along = unit(end - line[line.size() - 2]);
+        const int hand = r.integer(0, 5);
+        for (int k = -1; k <= 1 && hand == 0; ++k)
+            b.stick(Label::limb, {end, end + 3.0 * rotated(along, 0.7 * k)}, depth, 2.0);
+        if (hand == 1) b.region(Label::limb, ellipse(end + 1.5 * along, 2.2, 2.0), depth + 0.1);
+        return limb;
+    }
+    if (kind == Limbs::loops) { // a long oval
+        const Point2d a = line.front(), e = line.back();
+        const double half = 0.55 * distance(a, e), along = math::atan2(e.y - a.y, e.x - a.x);
+        const int limb = b.region(
+            Label::limb, ellipse(mix(a, e, 0.5), half, std::max(thick, half * r.uniform(0.25, 0.4)), along),
+            depth);
+        if (joined) b.merge(limb, trunk);
+        return limb;
+    }
+    const bool open = kind == Limbs::open;
+    const int limb =
+        b.limb(Label::limb, line, {thick * r.uniform(1.0, 1.5), thick, thick * r.uniform(0.6, 1.2)}, depth,
+               {Cap::flat, r.chance(0.7) ? Cap::round : Cap::flat, true, open && r.chance(0.5)});
+    if (joined || open) b.merge(limb, trunk);
+    if (kind == Limbs::ribbons && r.chance(0.35)) {
+        const int hand = b.region(Label::limb, ellipse(line.back(), 1.5 * thick, 1.2 * thick), depth + 0.1);
+        if (r.chance(0.6)) b.merge(hand, limb);
+    }
+    return limb;
+}
+
+// Straight down is angle 0; outwards on side −1 or 1.
+Point2d outwards(double angle, int side) { return {side * math::sin(angle), math::cos(angle)}; }
+
+// Elbow and hand of an arm in one of the usual ways to hold it.
+Path arm_line(Random& r, Point2d shoulder, double l, int way, int side, double turn) {
+    double up = 0, low = 0;
+    switch (way) {
+    case 0: // hanging
+        up = 0.25, low = 0.15;
+        break;
+    case 1: // out
+        up = low = 1.5;
+        break;
+    case 2: // raised
+        up = low = 2.4;
+        break;
+    case 3: // akimbo
+        up = 1.0, low = -0.8;
+        break;
+    case 4: // waving
+        up = 1.4, low = 2.8;
+        break;
+    case 5: // before the body
+        up = 0.4, low = -1.3;
+        break;
+    case 6: // straight up
+        up = 2.8, low = 3.0;
+        break;
+    default:
+        up = low = 0.8;
+    }
+    const Point2d elbow = shoulder + (0.5 * l) * outwards(up + turn, side);
+    return {shoulder, elbow, elbow + (0.5 * l) * outwards(low + turn + r.uniform(-0.15, 0.15), side)};
+}
+
+Point2d add_arms(Builder& b, const Body& s, int trunk) {
+    Random& r = b.random;
+    const int ways[2] = {r.integer(0, 7), r.integer(0, 7)};
+    const bool same = r.chance(0.6);
+    const double turn = r.uniform(-0.3, 0.3), y = s.top + r.uniform(0.05, 0.35) * s.length;
+    const bool joined = r.chance(0.5);
+    Point2d hand{};
+    for (int i = 0; i < 2; ++i) {
+        const int side = i == 0 ? -1 : 1, way = same ? ways[0] : ways[i];
+        const double x = s.trunk == Trunk::dress ? 0.3 * s.w : 0.75 * s.w;
+        const Path line = arm_line(r, {side * x, y}, b.jitter(s.arm, 0.1), way, side, turn);
+        add_limb(b, trunk, line, s.thick, s.arms, way == 5 || way == 3 ? 2.0 : -1.0, joined);
+        hand = line.back();
+    }
+    return hand;
+}
+
+void add_legs(Builder& b, const Body& s, int trunk) {
+    Random& r = b.random;
+    const int way = r.integer(0, 6);
+    const bool joined = r.chance(0.5), feet = r.chance(0.5);
+    const double spread = way <= 2   ? r.uniform(0.0, 0.2)
+                          : way == 3 ? r.uniform(0.4, 0.9)
+                                     : r.uniform(0.1, 0.4);
+    for (int side = -1; side <= 1; side += 2) {
+        const double x = s.trunk == Trunk::line ? 0 : r.uniform(0.3, 0.6) * s.w;
+        const Point2d hip{side * x, s.bottom() - (s.trunk == Trunk::line ? 0 : 0.08 * s.length)};
+        double knee_turn = spread, shin = spread + r.uniform(-0.15, 0.1);
+        if (way == 5) knee_turn = r.uniform(0.8, 1.3), shin = r.uniform(-0.4, 0.1); // squatting
+        if (way == 6) knee_turn = side * 0.5, shin = side * (side > 0 ? 0.1 : 1.2); // running
+        const Point2d knee = hip + (0.5 * s.leg) * outwards(knee_turn, side),
+                      foot = knee + (0.5 * s.leg) * outwards(shin, side);
+        add_limb(b, trunk, {hip, knee, foot}, 1.15 * s.thick, s.legs, s.trunk == Trunk::dress ? -1 : -0.6,
+                 joined);
+        if (!feet) continue;
+        if (s.legs == Limbs::lines)
+            b.stick(Label::limb, {foot, foot + Point2d{side * r.uniform(2.0, 6.0), r.uniform(-0.5, 1.0)}},
+                    -0.6);
+        else
+            b.region(Label::limb, ellipse(foot + Point2d{side * 0.8 * s.thick, 0}, 1.8 * s.thick, s.thick),
+                     -0.4);
+    }
+}
+
+// --- things in the hand: small ones are labelled with the limb, a balloon on its string is paper
+
+void add_held(Builder& b, Point2d hand) {
+    Random& r = b.random;
+    const double side = hand.x < 0 ? -1 : 1;
+    switch (r.integer(0, 5)) {
+    case 0: { // a balloon
+        const Point2d c = hand + Point2d{side * r.uniform(0.0, 8.0), -r.uniform(18, 34)};
+        const double size = r.uniform(5, 10);
+        b.mark(-1, spline({hand, mix(hand, c, 0.5) + Point2d{2, 0}, c + Point2d{0, size}}, false), false,
+               0.8);
+        b.mark(-1, ellipse(c, size, 1.15 * size), true);
+        break;
+    }
+    case 1: // a sword or a stick
+        b.stick(
+            Label::limb,
+            {hand - Point2d{side * 2, -3}, hand + Point2d{side * r.uniform(4.0, 16.0), -r.uniform(8, 22)}}, 2,
+            2.0);
+        if (r.chance(0.5)) b.stick(Label::limb, {hand + Point2d{-2, -3}, hand + Point2d{3, 0}}, 2, 2.0);
+        break;
+    case 2: // a ball
+        b.region(Label::limb, ellipse(hand + Point2d{side * 2, 2}, r.uniform(3, 6), r.uniform(3, 6)), 2);
+        break;
+    case 3: { // a flag
+        const Point2d top = hand - Point2d{0, r.uniform(16, 26)};
+        b.mark(-1, {hand + Point2d{0, 4}, top});
+        b.mark(-1, {top, top + Point2d{side * 12, 3}, top + Point2d{0, 8}});
+        break;
+    }
+    case 4: { // an umbrella
+        const Point2d top = hand - Point2d{0, r.uniform(14, 24)};
+        const double w = r.uniform(9, 16);
+        b.mark(-1, {hand, top});
+        b.mark(-1, spline({top + Point2d{-w, 4}, top + Point2d{-0.6 * w, -4}, top + Point2d{0, -6},
+                           top + Point2d{0.6 * w, -4}, top + Point2d{w, 4}},
+                          false));
+        b.mark(-1, {top + Point2d{-w, 4}, top + Point2d{w, 4}});
+        break;
+    }
+    default: { // a bag
+        const double w = r.uniform(3, 6);
+        b.region(Label::limb,
+                 {hand + Point2d{-w, 4}, hand + Point2d{w, 4}, hand + Point2d{w, 11}, hand + Point2d{-w, 11}},
+                 2);
+        b.stick(Label::limb, {hand + Point2d{-w, 4}, hand, hand + Point2d{w, 4}}, 2, 1.5);
+    }
+    }
+}
+
+// --- ears and tails
+
+void add_side_ears(Builder& b, const Body& s, int head, double from, double to, bool pointed) {
+    Random& r = b.random;
+    const double angle = r.uniform(from, to), size = s.hx * r.uniform(0.25, 0.6);
+    for (int side = -1; side <= 1; side += 2) {
+        const Point2d d{side * math::cos(angle), -math::sin(angle)}, c{1.1 * s.hx * d.x, 1.1 * s.hy * d.y};
+        int ear = 0;
+        if (pointed) {
+            const Point2d across{-d.y, d.x};
+            ear = b.region(Label::head,
+                           {c - (0.6 * size) * across - (0.6 * size) * d, c + (1.3 * size) * d,
+                            c + (0.6 * size) * across - (0.6 * size) * d},
+                           0.5);
+        } else {
+            ear = b.region(Label::head, ellipse(c, size, size * r.uniform(0.8, 1.2)),
+                           r.chance(0.8) ? -0.5 : 1.2);
+        }
+        if (r.chance(0.5)) b.merge(ear, head);
+        if (!pointed && r.chance(0.3)) b.mark(ear, ellipse(c, 0.5 * size, 0.5 * size), true);
+    }
+}
+
+void add_long_tail(Builder& b, Point2d root, double side, double l, double thick) {
+    Random& r = b.random;
+    const double rise = r.uniform(-0.4, 0.9);
+    Path line;
+    switch (r.integer(0, 3)) {
+    case 0:
+        line = curl(root, side > 0 ? -rise : pi + rise, l, side * -r.uniform(0.4, 1.1), r.uniform(0.0, 1.5));
+        break;
+    case 1: // up in a bow
+        line = {root, root + Point2d{side * 0.5 * l, 0.12 * l}, root + Point2d{side * 0.75 * l, -0.25 * l},
+                root + Point2d{side * 0.7 * l, -0.7 * l}};
+        break;
+    case 2: // wavy
+        line = {root, root + Point2d{side * 0.3 * l, 0.15 * l}, root + Point2d{side * 0.55 * l, -0.1 * l},
+                root + Point2d{side * 0.9 * l, r.uniform(-0.3, 0.2) * l}};
+        break;
+    default:
+        line = {root, root + Point2d{side * 0.5 * l, r.uniform(-0.2, 0.2) * l},
+                root + Point2d{side * l, -0.3 * l}};
+    }
+    if (thick <= 0) {
+        b.stick(Label::tail, line.size() > 10 ? line : spline(line, false), -2);
+        return;
+    }
+    const Path middle = line.size() > 10 ? resample(line, 6.0) : line;
+    b.limb(Label::tail, middle, {0.7 * thick, thick, thick * r.uniform(0.5, 1.5)}, -2,
+           {Cap::flat, Cap::round, true, r.chance(0.15)});
+}
+
+// --- figures
+
+void build_posed(Builder& b, bool lines, bool baby) {
+    Random& r = b.random;
+    Body s = random_body(b);
+    if (lines) s.trunk = Trunk::line, s.arms = s.legs = Limbs::lines;
+    if (baby)
+        s.hx = r.uniform(15, 24), s.hy = 0.95 * s.hx, s.top = s.hy - 1, s.length = r.uniform(16, 24),
+        s.leg = r.uniform(7, 14), s.arm = r.uniform(8, 15);
+    const int head = add_head(b, s, true);
+    const Frame f{{0, 0}, s.hx, s.hy, 0};
+    const double dressed = 0.5 * b.manner.details + 0.1;
+    if (r.chance(dressed)) add_hair(b, head, f);
+    if (r.chance(0.5 * dressed)) add_hat(b, head, f);
+    const int trunk = add_trunk(b, s, head);
+    add_legs(b, s, trunk);
+    const Point2d hand = add_arms(b, s, trunk);
+    if (r.chance(0.18)) add_held(b, hand);
+    if (s.w > 0 && r.chance(0.25)) add_pattern(b, trunk, {{0, s.middle()}, s.w, 0.5 * s.length, 0});
+}
+
+void build_sketch_monkey(Builder& b) {
+    Random& r = b.random;
+    Body s = random_body(b);
+    if (s.trunk == Trunk::dress) s.trunk = Trunk::oval;
+    if (r.chance(0.6))
+        s.hx = std::max(s.hx, r.uniform(12, 20)), s.hy = s.hx * r.uniform(0.7, 1.05),
+        s.top = s.hy - r.uniform(0.0, 3.0);
+    s.leg *= 0.75;
+    const int head = add_head(b, s, true);
+    if (r.chance(0.85)) add_side_ears(b, s, head, r.chance(0.6) ? -0.1 : 0.4, 0.9, r.chance(0.15));
+    if (r.chance(0.3)) b.mark(head, ellipse({0, 0.3 * s.hy}, 0.6 * s.hx, 0.4 * s.hy), true);
+    const int trunk = add_trunk(b, s, head);
+    if (!r.chance(0.12)) add_legs(b, s, trunk);
+    if (!r.chance(0.12)) add_arms(b, s, trunk);
+    if (s.w > 0 && r.chance(0.3))
+        b.mark(trunk, ellipse({0, s.middle() + 2}, 0.5 * s.w, 0.3 * s.length), true);
+    if (r.chance(0.12)) return;
+    const double side = r.chance(0.5) ? -1 : 1;
+    const double l = r.uniform(18, 48), y = s.bottom() - r.uniform(0.05, 0.35) * s.length;
+    add_long_tail(b, {side * 0.7 * s.w, y}, side, l, r.chance(0.45) ? 0 : r.uniform(1.5, 4.5));
+}
+
+void build_princess(Builder& b) {
+    Random& r = b.random;
+    Body s = random_body(b);
+    s.trunk = Trunk::dress, s.length = r.uniform(34, 62), s.w = r.uniform(6, 12);
+    s.leg = r.uniform(5, 14);
+    const int head = add_head(b, s, true);
+    const Frame f{{0, 0}, s.hx, s.hy, 0};
+    if (r.chance(0.7)) { // falling at both sides
+        const double l = r.uniform(1.0, 3.0), w = r.uniform(1.05, 1.5);
+        if (r.chance(0.5)) {
+            b.region(
+                Label::head,
+                spline({f.at(0, -1.15), f.at(-0.9 * w, -0.7), f.at(-w, 0.3), f.at(-1.1 * w, l), f.at(-0.4, l),
+                        f.at(0.4, l), f.at(1.1 * w, l), f.at(w, 0.3), f.at(0.9 * w, -0.7)},
+                       true, 6),
+                -3);
+        } else {
+            const bool wavy = r.chance(0.5);
+            for (int side = -1; side <= 1; side += 2)
+                for (int i = 0, n = r.integer(1, 3); i < n; ++i)
+                    b.stick(Label::head,
+                            spline({f.at(0.5 * side, -0.85), f.at(side * (1.05 + 0.15 * i), -0.1),
+                                    f.at(side * (1.1 + 0.15 * i + (wavy ? 0.25 : 0)), 0.5 * l),
+                                    f.at(side * (1.1 + 0.2 * i), l)},
+                                   false),
+                            -0.2, 2.0);
+        }
+    } else {
+        add_hair(b, head, f);
+    }
+    if (r.chance(0.5)) add_hat(b, head, f);
+    const int trunk = add_trunk(b, s, head);
+    if (r.chance(0.5)) add_legs(b, s, trunk);
+    const Point2d hand = add_arms(b, s, trunk);
+    if (r.chance(0.1)) add_held(b, hand);
+}
+
+void build_mermaid(Builder& b) {
+    Random& r = b.random;
+    Body s = random_body(b);
+    s.hx = r.uniform(7, 13), s.hy = s.hx * r.uniform(0.9, 1.2), s.top = s.hy + r.uniform(-1.0, 4.0);
+    s.length = r.uniform(16, 28), s.w = r.uniform(0.25, 0.42) * s.length;
+    const double side = r.chance(0.5) ? -1 : 1, l = r.uniform(30, 55), bend = r.uniform(0.0, 1.0) * l * side,
+                 y = s.bottom();
+    const int head = add_head(b, s, true);
+    const Frame f{{0, 0}, s.hx, s.hy, 0};
+    if (r.chance(0.7)) {
+        const double hair = r.uniform(1.0, 3.0);
+        for (int k = -1; k <= 1; k += 2)
+            b.stick(Label::head,
+                    spline({f.at(0.1 * k, -1), f.at(1.1 * k, -0.5), f.at(1.25 * k, 0.6), f.at(1.4 * k, hair)},
+                           false),
+                    -0.2, 2.0);
+    } else {
+        add_hair(b, head, f);
+    }
+    const double hip = s.w * r.uniform(0.85, 1.15), thin = std::max(1.2, 0.25 * hip);
+    const Point2d knee{0.35 * bend, y + 0.5 * l}, ankle{bend, y + l - 0.35 * std::abs(bend)};
+    const Path spine{{0, y - 2}, {0.08 * bend, y + 0.25 * l}, knee, ankle};
+    s.trunk = r.chance(0.5) ? Trunk::box : Trunk::pear;
+    const int trunk = add_trunk(b, s, head);
+    const int tail = b.limb(Label::tail, spine, {hip, 0.9 * hip, 0.55 * hip, thin}, 0.1,
+                            {Cap::flat, Cap::flat, r.chance(0.6), true});
+    if (r.chance(0.5)) b.merge(tail, trunk);
+    const Point2d along = unit(ankle - knee), across{-along.y, along.x};
+    const double fin = r.uniform(7, 15), fan = r.uniform(0.5, 1.1);
+    const Path flukes{ankle - (0.5 * thin) * across, ankle + fin * along - (fan * fin) * across,
+                      ankle + (r.uniform(0.35, 0.8) * fin) * along,
+                      ankle + fin * along + (fan * fin) * across, ankle + (0.5 * thin) * across};
+    const int end = b.region(Label::tail, r.chance(0.5) ? flukes : spline(flukes, true, 5), 0.2);
+    if (r.chance(0.7)) b.merge(end, tail);
+    add_arms(b, s, trunk);
+    if (r.chance(0.3)) // scales
+        for (int i = 0, n = r.integer(3, 9); i < n; ++i) {
+            const Point2d p =
+                mix(spine[0], spine[2], r.uniform(0.1, 1.0)) + Point2d{r.uniform(-0.5, 0.5) * hip, 0};
+            b.mark(tail, spline({p, p + Point2d{1.5, 2}, p + Point2d{3, 0}}, false), false, 0.8);
+        }
+    if (r.chance(0.4))
+        for (int k = -1; k <= 1; k += 2)
+            b.mark(trunk, ellipse({0.45 * k * s.w, s.top + 0.35 * s.length}, 0.35 * s.w, 0.3 * s.w), true);
+}
+
+void build_snowman(Builder& b) {
+    Random& r = b.random;
+    const int balls = r.chance(0.6) ? 2 : 1; // below the head
+    double radius = r.uniform(9, 14), y = 0;
+    const double grow = r.uniform(1.15, 1.6);
+    const int head = b.region(Label::head, ellipse({0, 0}, radius, radius * r.uniform(0.85, 1.1)),
+                              r.chance(0.7) ? 1 : -0.1);
+    const Frame f{{0, 0}, radius, radius, 0};
+    add_frontal_face(b, head, f);
+    if (r.chance(0.4)) b.mark(head, {f.at(0, -0.1), f.at(r.uniform(0.5, 1.2), 0.05), f.at(0, 0.15)});
+    if (r.chance(0.5)) add_hat(b, head, f);
+    Point2d arms{};
+    int trunk = -1;
+    for (int i = 0; i < balls; ++i) {
+        const double next = radius * (i == 0 && balls == 2 ? std::min(grow, 1.35) : grow);
+        y += (radius + next) * r.uniform(0.75, 0.97);
+        trunk = b.region(Label::body, ellipse({r.uniform(-1.5, 1.5), y}, next, next * r.uniform(0.85, 1.0)),
+                         r.chance(0.6) ? -0.2 * i : 0.1 * i);
+        if (i == 0) {
+            arms = {0.85 * next, y - 0.2 * next};
+            for (int k = 0, n = r.integer(0, 4); k < n; ++k)
+                b.spot(trunk, ellipse({0, y - 0.5 * next + next * k / 3.0}, 1.0, 1.0));
+        }
+        radius = next;
+    }
+    if (r.chance(0.1)) return;
+    const bool fingers = r.chance(0.7);
+    for (int side = -1; side <= 1; side += 2) {
+        const Point2d root{side * arms.x, arms.y},
+            tip = root + Point2d{side * r.uniform(10, 24), r.uniform(-16, 6)};
+        b.stick(Label::limb, {root, tip}, 0.5);
+        for (int k = -1; k <= 1 && fingers; k += 2)
+            b.stick(Label::limb, {mix(root, tip, 0.75), tip + Point2d{side * 1.0, 4.0 * k}}, 0.5, 2.0);
+    }
+}
+
+// Bears, pandas, rabbits, upright: round trunk, short limbs.
+void build_bear(Builder& b, const std::string& species) {
+    Random& r = b.random;
+    Body s = random_body(b);
+    s.hx = r.uniform(12, 20), s.hy = s.hx * r.uniform(0.8, 1.05), s.top = s.hy - r.uniform(1.0, 4.0);
+    s.trunk = r.chance(0.7) ? Trunk::oval : Trunk::pear, s.w = 0.5 * s.length * r.uniform(0.7, 1.1);
+    s.thick = r.uniform(3, 6), s.arm = r.uniform(10, 20), s.leg = r.uniform(7, 16);
+    s.arms = s.legs = r.pick(std::vector<Limbs>{Limbs::loops, Limbs::ribbons, Limbs::open, Limbs::loops});
+    const int head = add_head(b, s, true);
+    if (species == "upright rabbit") {
+        for (int side = -1; side <= 1; side += 2) {
+            const double l = s.hy * r.uniform(1.0, 2.2), lean = r.uniform(0.0, 0.4);
+            const Point2d root{0.4 * side * s.hx, -0.75 * s.hy}, up{side * math::sin(lean), -math::cos(lean)};
+            const int ear = b.limb(Label::head, {root, root + (0.5 * l) * up, root + l * up},
+                                   {0.14 * s.hx, 0.26 * s.hx, 0.08 * s.hx}, -0.2);
+            if (r.chance(0.5)) b.merge(ear, head);
+        }
+    } else {
+        add_side_ears(b, s, head, 0.6, 1.1, false);
+    }
+    const int trunk = add_trunk(b, s, head);
+    add_legs(b, s, trunk);
+    add_arms(b, s, trunk);
+    if (r.chance(0.35)) b.mark(trunk, ellipse({0, s.middle()}, 0.6 * s.w, 0.33 * s.length), true);
+    if (species == "panda" && r.chance(0.8))
+        for (int side = -1; side <= 1; side += 2)
+            b.spot(head, ellipse({0.38 * side * s.hx, -0.15 * s.hy}, 0.17 * s.hx, 0.24 * s.hy, 0.4 * side));
+}
+
+// All of one outline, as a cut biscuit.
+void build_gingerbread(Builder& b, const std::string& species) {
+    Random& r = b.random;
+    const double h = r.uniform(9, 16), w = r.uniform(7, 13), l = r.uniform(20, 34), arm = r.uniform(10, 24),
+                 leg = r.uniform(12, 28), t = r.uniform(3, 6);
+    const double raise = r.uniform(-0.9, 0.9), spread = r.uniform(0.15, 0.6), y = h * 0.9;
+    const int trunk =
+        b.region(Label::body, ellipse({0, y + 0.5 * l}, w, 0.55 * l, 0, r.uniform(2.0, 3.5)), 0);
+    const int head = b.region(Label::head, ellipse({0, 0}, h, h * r.uniform(0.85, 1.15)), 0.2);
+    b.merge(head, trunk);
+    add_frontal_face(b, head, {{0, 0}, h, h, 0});
+    for (int side = -1; side <= 1; side += 2) {
+        const Point2d shoulder{0.6 * side * w, y + 0.25 * l}, hip{0.5 * side * w, y + 0.85 * l};
+        const Point2d hand = shoulder + (arm + 0.4 * w) * Point2d{side * math::cos(raise), -math::sin(raise)};
+        const int limbs[2] = {b.limb(Label::limb, {shoulder, hand}, {t, t * 0.9}, 0.05),
+                              b.limb(Label::limb,
+                                     {hip, hip + leg * Point2d{side * math::sin(spread), math::cos(spread)}},
+                                     {1.3 * t, t}, 0.05)};
+        for (int limb : limbs) b.merge(limb, trunk);
+        if (species == "outlined monkey") {
+            const double ear = h * r.uniform(0.3, 0.5);
+            const int part = b.region(Label::head, ellipse({side * h, -0.2 * h}, ear, ear), 0.1);
+            if (r.chance(0.6)) b.merge(part, head);
+        }
+    }
+    if (species == "outlined monkey") {
+        const double side = r.chance(0.5) ? 1 : -1;
+        add_long_tail(b, {0.7 * side * w, y + 0.8 * l}, side, r.uniform(20, 40),
+                      r.chance(0.3) ? 0 : r.uniform(2, 4));
+    } else if (r.chance(0.3)) {
+        for (int i = 0; i < 3; ++i) b.spot(trunk, ellipse({0, y + (0.25 + 0.22 * i) * l}, 1.2, 1.2));
+    }
+}
+
+// Somebody from the side: walking, running, sitting; one or two arms.
+void build_side_person(Builder& b) {
+    Random& r = b.random;
+    Body s = random_body(b);
+    if (s.trunk == Trunk::dress) s.trunk = Trunk::pear;
+    s.w *= 0.8;
+    const int head = add_head(b, s, false);
+    if (r.chance(0.7)) add_eye(b, head, {0.55 * s.hx, -0.15 * s.hy}, 0.15 * s.hx);
+    if (r.chance(0.7)) { // a nose
+        const int nose = b.region(
+            Label::head,
+            {{0.9 * s.hx, -0.15 * s.hy}, {s.hx * r.uniform(1.2, 1.5), 0.12 * s.hy}, {0.9 * s.hx, 0.2 * s.hy}},
+            1.1);
+        b.merge(nose, head);
+    }
+    if (r.chance(0.5)) b.mark(head, {{0.45 * s.hx, 0.5 * s.hy}, {0.85 * s.hx, 0.45 * s.hy}});
+    if (r.chance(0.4)) add_hair(b, head, {{0, 0}, s.hx, s.hy, -0.3});
+    const int trunk = add_trunk(b, s, head);
+    const int way = r.integer(0, 2); // walking, running, sitting
+    const bool joined = r.chance(0.5);
+    for (int i = 0; i < 2; ++i) {
+        const double swing = i == 0 ? 1 : -1, reach = way == 1 ? r.uniform(0.5, 1.0) : r.uniform(0.15, 0.5);
+        const double thigh = way == 2 ? 1.4 + 0.1 * swing : swing * reach,
+                     shin = way == 2 ? r.uniform(-0.1, 0.2)
+                                     : thigh - (way == 1 ? r.uniform(0.3, 1.3) : r.uniform(0.0, 0.3));
+        const Point2d hip{0, s.bottom() - 0.08 * s.length}, knee = hip + (0.5 * s.leg) * outwards(thigh, 1),
+                                                            foot = knee + (0.5 * s.leg) * outwards(shin, 1);
+        add_limb(b, trunk, {hip, knee, foot}, s.thick, s.legs, i == 0 ? -0.5 : -1, joined);
+        if (r.chance(0.7)) b.stick(Label::limb, {foot, foot + Point2d{r.uniform(3.0, 6.0), 0}}, -0.5);
+        const Point2d shoulder{0, s.top + 0.15 * s.length};
+        const double upper = way == 2 ? r.uniform(0.3, 1.4) : -swing * r.uniform(0.2, 1.0),
+                     low = upper + r.uniform(0.1, 1.3);
+        const Point2d elbow = shoulder + (0.5 * s.arm) * outwards(upper, 1);
+        if (i == 0 || r.chance(0.7))
+            add_limb(b, trunk, {shoulder, elbow, elbow + (0.5 * s.arm) * outwards(low, 1)}, 0.9 * s.thick,
+                     s.arms, i == 0 ? 1.5 : -1, false);
+    }
+    b.figure.heading = 0;
+}
+
+// From the side, leaning back on its tail: kangaroo; with a bushy tail: squirrel.
+void build_side_upright(Builder& b, const std::string& species) {
+    Random& r = b.random;
+    const bool squirrel = species == "upright squirrel", mouse = species == "upright mouse";
+    const double w = r.uniform(6, 11), l = r.uniform(26, 42), lean = r.uniform(-0.1, 0.4),
+                 h = r.uniform(6, 9), muzzle = r.uniform(3, 9);
+    const auto at = [&](double u, double v) { return rotated({u * w, (v - 0.5) * l}, lean); };
+    const Point2d c = at(0.3, -0.05), way = direction(r.uniform(-0.2, 0.4));
+    Contour k;
+    k.to(at(-1.1, 0.95))
+        .through({at(-1.1, 0.7), at(-0.75, 0.4), at(-0.4, 0.15), c + h * direction(pi - 0.1),
+                  c + h * direction(-2.3)});
+    k.to(c + h * direction(-2.2) + Point2d{r.uniform(-3.0, 1.0), -r.uniform(4.0, 10.0)})
+        .to(c + h * direction(-1.6));
+    k.through({c + h * direction(-0.8), c + (h + muzzle) * way - Point2d{0, 1.5},
+               c + (h + muzzle) * way + Point2d{0, 1.5}, c + h * direction(1.0)});
+    k.through({at(0.45, 0.2), at(0.7, 0.45), at(1.1, 0.75), at(0.9, 0.98), at(0, 1.03)});
+    const int trunk = b.region(Label::body, k.points, 0);
+    const Point2d towards = unit(c - at(0, 0.3) + Point2d{3, 0});
+    b.piece(trunk, Label::head, beyond(c - (0.75 * h) * towards, towards, 2.5 * h + muzzle, 60));
+    add_eye(b, -1, c + Point2d{0.3 * h, -0.2 * h}, 0.22 * h);
+    const Limbs kind = r.pick(std::vector<Limbs>{Limbs::lines, Limbs::ribbons, Limbs::open});
+    const double t = r.uniform(1.5, 3);
+    for (int i = 0, n = r.integer(1, 2); i < n; ++i) {
+        const Point2d shoulder = at(0.5, 0.28 + 0.08 * i),
+                      hand = shoulder + Point2d{r.uniform(6, 13), r.uniform(-3.0, 7.0)};
+        add_limb(b, trunk,
+                 {shoulder - Point2d{0.3 * w, 0}, mix(shoulder, hand, 0.5) + Point2d{0, r.uniform(0.0, 3.0)},
+                  hand},
+                 t, kind, i == 0 && r.chance(0.5) ? 1.0 : -0.5, r.chance(0.5));
+    }
+    const double foot = r.uniform(8, 17);
+    const Point2d hip = at(0.1, 0.85), knee = at(1.0, 1.0),
+                  heel = at(0.0, 1.0) + Point2d{0, r.uniform(4.0, 12.0)};
+    if (kind == Limbs::lines) {
+        b.stick(Label::limb, {hip, knee, heel, heel + Point2d{foot, 0}}, 0.5);
+    } else {
+        b.attach(b.limb(Label::limb, {hip, heel}, {0.6 * w, 0.3 * w}, r.chance(0.5) ? 0.5 : -0.5,
+                        {Cap::round, Cap::round, true, false}),
+                 trunk);
+        b.limb(Label::limb, {heel - Point2d{1, 0}, heel + Point2d{foot, 0}}, {0.25 * w}, 0.4);
+    }
+    const Point2d root = at(-0.9, 0.85);
+    if (squirrel) {
+        const double tl = l * r.uniform(0.9, 1.5), q = tl * r.uniform(0.1, 0.22);
+        const Path up{root, root + Point2d{-0.45 * tl, -0.1 * tl}, root + Point2d{-0.5 * tl, -0.65 * tl},
+                      root + Point2d{-0.2 * tl, -0.85 * tl}, root + Point2d{-0.25 * tl, -0.6 * tl}};
+        const int tail = b.limb(Label::tail, Path(up.begin(), up.end() - r.integer(0, 1)),
+                                {0.4 * q, q, 1.2 * q, 0.7 * q, 0.3 * q}, -0.5);
+        if (r.chance(0.5)) b.merge(tail, trunk);
+    } else if (mouse) {
+        add_long_tail(b, root, -1, r.uniform(25, 45), 0);
+    } else {
+        const double tl = r.uniform(26, 50);
+        const int tail = b.limb(Label::tail,
+                                {at(-0.4, 0.8), root + Point2d{-0.35 * tl, 0.25 * tl},
+                                 root + Point2d{-tl, r.uniform(0.1, 0.4) * tl}},
+                                {0.5 * w, 0.4 * w, 0.5}, -0.2, {Cap::flat, Cap::pointed, true, false});
+        b.merge(tail, trunk);
+        if (r.chance(0.5))
+            b.mark(trunk, spline({at(0.1, 0.6), at(0.5, 0.8), at(1.0, 0.65)}, false)); // a pouch
+    }
+    b.figure.heading = 0;
+}
+
+} // namespace
+
+std::vector<std::string> upright_species() {
+    return {"posed person", "posed stick person", "sketched monkey",  "outlined monkey",
+            "gingerbread",  "princess",           "mermaid",          "snowman",
+            "panda",        "round bear",         "upright rabbit",   "person from the side",
+            "baby",         "kangaroo",           "upright squirrel", "upright mouse"};
+}
+
+Figure build_upright(Random& random, const std::string& species) {
+    Builder b(random, "humanoid", species);
+    b.figure.heading = 0.5 * pi;
+    if (species == "sketched monkey")
+        build_sketch_monkey(b);
+    else if (species == "princess")
+        build_princess(b);
+    else if (species == "mermaid")
+        build_mermaid(b);
+    else if (species == "snowman")
+        build_snowman(b);
+    else if (species == "panda" || species == "round bear" || species == "upright rabbit")
+        build_bear(b, species);
+    else if (species == "gingerbread" || species == "outlined monkey")
+        build_gingerbread(b, species);
+    else if (species == "person from the side")
+        build_side_person(b);
+    else if (species == "kangaroo" || species == "upright squirrel" || species == "upright mouse")
+        build_side_upright(b, species);
+    else
+        build_posed(b, species == "posed stick person", species == "baby");
+    return std::move(b.figure);
+}
+
+} // namespace pantin::doodle
