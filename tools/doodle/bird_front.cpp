@@ -317,7 +317,7 @@ void build_fairy(Builder& b, const std::string& species) {
 // A dragon from the side: a walker's trunk with a long tail, spikes and wings.
 void build_side_dragon(Builder& b) {
     Random& r = b.random;
-    b.figure = build_walker(r, r.chance(0.5) ? "dragon trunk" : "crocodile");
+    b.figure = build_walker(r, r.chance(0.75) ? "dragon trunk" : "crocodile");
     b.figure.type = "flying", b.figure.species = "line dragon";
     const double x = r.uniform(-8, 6), l = r.uniform(18, 40), lean = r.uniform(0.0, 0.9);
     const int count = r.integer(1, 2);

@@ -33,9 +33,9 @@ const std::vector<Kind>& kinds() {
     using B = Beak;
     using T = TailShape;
     static const std::vector<Kind> table = {
-        {"songbird", {20, 11, 0.3, 0, 0.8, 8, 6, 14, 11, B::wedge, T::taper}},
+        {"songbird", {20, 11, 0.3, 0, 0.8, 8, 6, 18, 11, B::wedge, T::taper}},
         {"round bird", {17, 15, 0.2, 0, 0.8, 8, 5, 9, 9, B::wedge, T::wedge}},
-        {"slender bird", {22, 8, 0.55, 2, 0.9, 6, 6, 18, 12, B::wedge, T::taper}},
+        {"slender bird", {22, 8, 0.55, 2, 0.9, 6, 6, 23, 12, B::wedge, T::taper}},
         {"upright bird", {20, 10, 0.95, 2, 1.2, 8, 6, 16, 8, B::hooked, T::taper}},
         {"crested bird", {20, 11, 0.4, 1, 0.9, 8, 6, 15, 10, B::wedge, T::wedge}},
         {"pigeon", {21, 12, 0.3, 5, 1.1, 6, 4, 12, 9, B::wedge, T::wedge}},
@@ -74,8 +74,10 @@ struct Layout {
     const Perched& p;
     Point2d head, up; // middle of the head; the neck's direction at it
     double gaze;      // angle of the beak
+    double egg = 0.0; // how much thinner the rear is than the breast
     Point2d on(double angle) const {
-        return rotated({p.rx * math::cos(angle), p.ry * math::sin(angle)}, -p.tilt);
+        const double c = math::cos(angle), thick = (1.0 + egg * c) / (1.0 + 0.4 * egg);
+        return rotated({p.rx * c, thick * p.ry * math::sin(angle)}, -p.tilt);
     }
     Point2d at_head(double angle) const { return head + p.head * direction(angle); }
     Point2d root() const { return on(pi); }
@@ -83,6 +85,7 @@ struct Layout {
 
 Layout lay_out(Random& r, const Perched& p) {
     Layout l{p, {}, direction(-p.neck_angle), r.uniform(-0.25, 0.3)};
+    if (!r.chance(0.25)) l.egg = r.uniform(0.15, 0.6);
     const Point2d shoulder = l.on(-0.55);
     l.head = shoulder + (p.neck + r.uniform(-0.1, 0.35) * p.head) * l.up;
     return l;
@@ -162,9 +165,16 @@ int add_flowing_bird(Builder& b, const Layout& l, bool with_tail) {
     const Point2d side{-l.up.y, l.up.x}, neck_middle = mix(l.on(-0.55), l.head, 0.5); // side: forwards
     const double sway = r.uniform(-0.3, 0.2) * p.neck;
     const Point2d upper = l.on(pi + r.uniform(0.2, 0.45)), lower = l.on(pi - r.uniform(0.3, 0.6));
+    const double way_of_tail = r.uniform(-0.25, p.end == TailShape::up ? 0.9 : 0.25);
+    const Point2d along = unit(rotated(l.root(), way_of_tail)), across{-along.y, along.x};
+    // Back and belly run on into the tail, or the tail begins with corners.
+    const bool smooth = with_tail && p.end == TailShape::taper && r.chance(0.7);
+    const double thin = r.uniform(0.06, 0.2) * p.ry;
+    const Point2d end = mix(upper, lower, 0.5) + p.tail * along;
     Contour c;
-    c.to(upper);
+    c.to(smooth ? end + thin * across : upper);
     Path back = outside({l.on(pi + 0.9), l.on(pi + 1.45), l.on(-1.15)}, l.head, 1.35 * p.head);
+    if (smooth) back.insert(back.begin(), {mix(end, upper, 0.5), upper});
     if (necked) back.push_back(neck_middle + (sway - w) * side);
     for (double a : {pi + 0.25, pi + 0.85, pi + 1.45, -1.1})
         if (a < 2 * pi + l.gaze - half - 0.3 && (a > 0 || a < l.gaze - half - 0.3))
@@ -179,12 +189,12 @@ int add_flowing_bird(Builder& b, const Layout& l, bool with_tail) {
          outside({l.on(-0.15), l.on(0.5), l.on(1.1), l.on(1.7), l.on(2.25)}, l.head, 1.25 * p.head))
         belly.push_back(q);
     belly.push_back(lower);
+    if (smooth) belly.insert(belly.end(), {mix(lower, end, 0.5), end - thin * across});
     c.through(belly);
-    const Point2d along = unit(rotated(l.root(), r.uniform(-0.25, p.end == TailShape::up ? 0.9 : 0.25)));
-    if (with_tail) trace_tail(r, c, l, along, upper, lower);
+    if (with_tail && !smooth) trace_tail(r, c, l, along, upper, lower);
     const int trunk = b.region(Label::body, c.points, 0);
     const Point2d towards = unit(l.up + 0.6 * direction(l.gaze));
-    const double start = necked ? 0.9 : r.uniform(0.5, 0.95);
+    const double start = necked ? r.uniform(0.6, 1.0) : r.uniform(0.25, 0.85);
     b.piece(trunk, Label::head,
             beyond(l.head - (start * p.head) * towards, towards, 1.3 * p.head + p.beak, 60));
     if (with_tail)
@@ -286,6 +296,46 @@ void crown(Builder& b, const Layout& l, const std::string& species, int trunk) {
     }
 }
 
+// All above a line from the shoulder to the tail: the wing's other edge is the back.
+void add_back_wing(Builder& b, const Layout& l, int trunk) {
+    Random& r = b.random;
+    const Point2d start = l.on(r.uniform(-1.0, -0.4)), front = 0.6 * l.on(r.uniform(-0.3, 0.6));
+    const Point2d low = r.uniform(0.35, 0.8) * l.on(r.uniform(1.9, 2.5)),
+                  end = 1.02 * l.on(pi + r.uniform(-0.25, 0.25));
+    Outline wing;
+    wing.points = r.chance(0.6) ? spline({start, front, low, end}, false) : Path{start, front, end};
+    wing.undrawn.assign(wing.points.size(), 0);
+    wing.undrawn.back() = 1;
+    for (double a : {pi + 0.3, pi + 0.8, pi + 1.3, 2 * pi - 1.3, 2 * pi - 0.9}) {
+        wing.points.push_back(1.6 * l.on(a));
+        wing.undrawn.push_back(1);
+    }
+    const int index = b.region(Label::wing, wing, 0.5);
+    b.part(index).within = trunk;
+    if (!r.chance(0.3)) return;
+    for (int i = 0, n = r.integer(3, 8); i < n; ++i) { // feathers
+        const Point2d p = mix(mix(start, front, 0.5), end, 0.15 + 0.7 * i / n);
+        b.mark(index, {p, p + (r.uniform(0.1, 0.3)) * (end - start)});
+    }
+}
+
+// Patches filled with scribble, as on a blackbird's or a robin's breast and head.
+void add_scribble(Builder& b, const Layout& l, int trunk) {
+    Random& r = b.random;
+    const bool head = r.chance(0.6);
+    const Point2d c = head ? l.head : 0.5 * l.on(r.uniform(0.2, 1.0));
+    const double w = head ? 0.75 * l.p.head : r.uniform(0.2, 0.4) * l.p.rx,
+                 h = head ? w : r.uniform(0.3, 0.6) * l.p.ry;
+    Path zigzag;
+    const double turn = r.uniform(0.0, pi);
+    for (int i = 0, n = r.integer(6, 14); i <= n; ++i) {
+        const double u = -1.0 + 2.0 * i / n, v = std::sqrt(std::max(0.0, 1.0 - u * u)) * (i % 2 ? 1 : -1);
+        const Point2d q = rotated({u, v}, turn);
+        zigzag.push_back(c + Point2d{w * q.x, h * q.y});
+    }
+    b.mark(head ? -1 : trunk, zigzag);
+}
+
 void add_legs(Builder& b, const Layout& l, int trunk, const std::string& species) {
     Random& r = b.random;
     const int manner = r.integer(0, 4) < 3 ? r.integer(0, 1) : r.integer(2, 3),
@@ -301,6 +351,19 @@ void add_legs(Builder& b, const Layout& l, int trunk, const std::string& species
             foot = mix(hip, foot, 0.5) + Point2d{0.3 * l.p.leg, 0};
         add_line_leg(b, trunk, hip, foot, heading, manner);
     }
+}
+
+void add_wing(Builder& b, const Layout& l, int trunk, bool flowing) {
+    Random& r = b.random;
+    const Perched& p = l.p;
+    if (b.figure.species == "wingless bird" || r.chance(0.25)) return;
+    if (flowing && p.neck < p.head && r.chance(0.2)) return add_back_wing(b, l, trunk);
+    const bool over = r.chance(0.22); // over the back and beyond the trunk
+    const double u = over ? r.uniform(-0.75, -0.4) : r.uniform(-0.25, 0.1),
+                 v = over ? r.uniform(-0.7, -0.2) : r.uniform(-0.25, 0.25);
+    const double w = over ? r.uniform(0.6, 1.1) : r.uniform(0.4, 0.95), h = r.uniform(0.45, 0.85),
+                 turn = r.uniform(-0.25, 0.15);
+    add_folded_wing(b, {rotated({u * p.rx, v * p.ry}, -p.tilt), w * p.rx, h * p.ry, turn - p.tilt}, 2);
 }
 
 } // namespace
@@ -329,15 +392,8 @@ Figure build_perched(Random& random, const std::string& species) {
         b.mark(trunk, {l.at_head(l.gaze), l.head + (p.head + 0.85 * p.beak) * direction(l.gaze)});
     crown(b, l, species, trunk);
     if (p.leg > 1.0 && !random.chance(0.08)) add_legs(b, l, trunk, species);
-    const double none = species == "wingless bird" ? 1.0 : 0.12;
-    if (!random.chance(none)) {
-        const Point2d c =
-            rotated({random.uniform(-0.25, 0.1) * p.rx, random.uniform(-0.25, 0.25) * p.ry}, -p.tilt);
-        add_folded_wing(b,
-                        {c, random.uniform(0.4, 0.95) * p.rx, random.uniform(0.45, 0.85) * p.ry,
-                         -p.tilt + random.uniform(-0.25, 0.15)},
-                        2);
-    }
+    add_wing(b, l, trunk, flowing);
+    if (random.chance(0.12)) add_scribble(b, l, trunk);
     b.figure.max_tilt = 0.15;
     return std::move(b.figure);
 }

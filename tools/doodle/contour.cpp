@@ -76,7 +76,7 @@ void add_line_leg(Builder& b, int trunk, Point2d hip, Point2d foot, double headi
                  trunk);
         if (r.chance(0.7)) add_toes(b, foot, size, heading);
     } else { // a V or a loop
-        const double w = std::max(1.5, l * r.uniform(0.12, 0.3));
+        const double w = std::clamp(l * r.uniform(0.12, 0.3), 1.5, 3.5);
         Outline leg{{hip - Point2d{w, 0}, foot - Point2d{0.2 * w, 0}, foot + Point2d{0.2 * w, 0},
                      hip + Point2d{w, 0}},
                     {0, 0, 0, 1},
@@ -137,7 +137,7 @@ void add_folded_wing(Builder& b, Frame f, double depth) {
     if (kind == 6) leave_out(b, wing, r.uniform(0.8, 0.9), 1.1);
     if (kind == 7) { // filled with scribble
         Path zigzag;
-        for (int i = 0, n = r.integer(8, 18); i <= n; ++i) {
+        for (int i = 0, n = r.integer(8, 30); i <= n; ++i) {
             const double u = tip * 0.85 + (0.9 * front - tip * 0.85) * i / n;
             zigzag.push_back(f.at(u, i % 2 ? 0.7 * top : 0.75 * low));
         }

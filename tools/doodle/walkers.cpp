@@ -65,7 +65,9 @@ Walker vary(Builder& b, Walker a) {
     for (double* value : {&a.rx, &a.ry, &a.leg, &a.neck, &a.head, &a.muzzle, &a.tail_length})
         *value = b.jitter(*value, 0.32);
     a.neck_angle += r.uniform(-0.35, 0.35);
-    if (r.chance(0.15)) a.leg *= 0.45; // hardly any legs
+    if (a.neck < 12 && r.chance(0.15)) a.neck_angle -= r.uniform(0.4, 1.0); // the nose down
+    if (r.chance(0.12)) a.ry *= r.uniform(0.5, 0.8);                        // a narrow trunk
+    if (r.chance(0.15)) a.leg *= 0.45;                                      // hardly any legs
     if (r.chance(0.1)) a.leg *= 1.5;
     if (r.chance(0.12)) a.head *= 1.35;
     if (r.chance(0.2) && a.tail != Tail::thick && a.tail != Tail::upright)
@@ -174,7 +176,7 @@ int add_flowing_trunk(Builder& b, const Layout& l, const std::string& species) {
     const int trunk = b.region(Label::body, c.points, 0);
     const Point2d towards = unit(nape + 0.5 * l.along);
     b.piece(trunk, Label::head,
-            beyond(l.head - (r.uniform(0.6, 0.95) * a.head) * towards, towards, 1.6 * a.head + a.muzzle, 70));
+            beyond(l.head - (r.uniform(0.45, 0.9) * a.head) * towards, towards, 1.6 * a.head + a.muzzle, 70));
     return trunk;
 }
 
@@ -272,11 +274,17 @@ std::vector<Leg> place_legs(Random& r, const Walker& a) {
     return legs;
 }
 
-void add_legs(Builder& b, const Walker& a, int trunk) {
+Walker flat(Walker a) {
+    a.ry = 0.5;
+    return a;
+}
+
+void add_legs(Builder& b, const Walker& a, int trunk, bool lines) {
     Random& r = b.random;
     std::vector<Leg> legs = place_legs(r, a);
     if (r.chance(0.06)) legs.resize(legs.size() - 1); // forgotten
-    const int manner = r.integer(0, 9); // 0…3 lines, 4…7 open Us, 8 ribbons, 9 boxes with a line between
+    const int manner =
+        lines ? 0 : r.integer(0, 9); // 0…3 lines, 4…7 open Us, 8 ribbons, 9 boxes with a line between
     const double w = std::max(1.6, a.rx * r.uniform(0.05, 0.12)), taper = r.uniform(0.6, 1.1);
     const bool bent = r.chance(0.3), open = r.chance(0.25), foot = r.chance(0.35), pairs = r.chance(0.85);
     for (std::size_t i = 0; i < legs.size(); ++i) {
@@ -368,6 +376,22 @@ void add_trunk_and_tusks(Builder& b, const Layout& l, int trunk) {
                 1.5);
 }
 
+// Of a hedgehog: short lines in its coat, long ones across its back.
+void add_spines(Builder& b, const Layout& l, int trunk) {
+    Random& r = b.random;
+    const bool crossing = r.chance(0.4);
+    for (int i = 0, n = r.integer(3, 14); i < n; ++i) {
+        const double u = r.uniform(-0.75, 0.35), v = r.uniform(-0.6, 0.3);
+        const Point2d p{u * l.a.rx, v * l.a.ry}, by{r.uniform(-4.0, -1.0), r.uniform(-5.0, -2.0)};
+        if (crossing) {
+            const Point2d root = 0.7 * l.on(pi + 0.5 + 1.9 * i / n), out = (r.uniform(0.6, 1.1)) * root;
+            b.stick(Label::body, {root, root + out + by}, 0.3, 1.2);
+        } else {
+            b.mark(trunk, {p, p + by});
+        }
+    }
+}
+
 void finish(Builder& b, const Layout& l, int trunk, const std::string& species) {
     Random& r = b.random;
     const Frame frame{{0, 0}, l.a.rx, l.a.ry, 0};
@@ -383,11 +407,7 @@ void finish(Builder& b, const Layout& l, int trunk, const std::string& species) 
         for (int i = -1; i <= 1; ++i)
             b.mark(trunk, {{0.35 * i * l.a.rx, -0.9 * l.a.ry}, {0.5 * i * l.a.rx, 0.35 * l.a.ry}});
     }
-    if (species == "hedgehog")
-        for (int i = 0, n = r.integer(3, 14); i < n; ++i) {
-            const Point2d p = frame.at(r.uniform(-0.75, 0.35), r.uniform(-0.6, 0.3));
-            b.mark(trunk, {p, p + Point2d{r.uniform(-4.0, -1.0), r.uniform(-5.0, -2.0)}});
-        }
+    if (species == "hedgehog") add_spines(b, l, trunk);
     if (r.chance(0.15)) add_pattern(b, trunk, frame);
     if (species == "crocodile" && r.chance(0.5)) { // scales
         Path zigzag;
@@ -414,9 +434,14 @@ Figure build_walker(Random& random, const std::string& species) {
     const Walker a = vary(b, animal);
     const Layout l = lay_out(random, a);
     const bool special = species == "hedgehog" || species == "humped camel" || species == "crocodile";
-    const bool flowing = special || random.chance(0.7);
+    const bool flowing = special || random.chance(0.7), line = !special && random.chance(0.06);
     int trunk = 0, head = 0;
-    if (flowing) {
+    if (line) {
+        trunk = b.stick(Label::body, {{-0.95 * a.rx, 0}, {0, random.uniform(-2.0, 2.0)}, {0.9 * a.rx, 0}});
+        b.stick(Label::body, {{0.85 * a.rx, 0}, l.head}, 0.1);
+        head = b.region(Label::head, ellipse(l.head, a.head, 0.9 * a.head), 1);
+        add_frontal_face(b, head, {l.head, a.head, a.head, 0});
+    } else if (flowing) {
         head = trunk = add_flowing_trunk(b, l, species);
         if (random.chance(0.8))
             add_eye(b, -1, l.head + (0.3 * a.head) * l.along - Point2d{0, 0.25 * a.head},
@@ -432,8 +457,8 @@ Figure build_walker(Random& random, const std::string& species) {
     }
     if (!flowing || a.ears != Ears::pointed || random.chance(0.3)) add_ears(b, l, head);
     add_tail(b, a, trunk);
-    if (!random.chance(0.02)) add_legs(b, a, trunk);
-    finish(b, l, trunk, species);
+    add_legs(b, line ? flat(a) : a, trunk, line);
+    if (!line) finish(b, l, trunk, species);
     return std::move(b.figure);
 }
 
