@@ -152,8 +152,10 @@ void build_front_penguin(Builder& b) {
     int head = 0;
     Frame f;
     const int trunk = add_egg(b, w, l, r.chance(0.6), head, f);
-    for (int s = -1; s <= 1; s += 2)
-        add_eye(b, -1, f.at(r.uniform(0.3, 0.5) * s, -0.15), r.uniform(0.1, 0.25) * f.rx);
+    for (int s = -1; s <= 1; s += 2) {
+        const double out = r.uniform(0.3, 0.5), size = r.uniform(0.1, 0.25);
+        add_eye(b, -1, f.at(out * s, -0.15), size * f.rx);
+    }
     add_front_beak(b, -1, f);
     if (r.chance(0.6)) {
         const double k = r.uniform(0.55, 0.8), up = r.chance(0.4) ? -l * 0.9 : f.centre.y + f.ry;
@@ -183,8 +185,10 @@ void build_front_bird(Builder& b) {
     int head = 0;
     Frame f;
     const int trunk = add_egg(b, w, l, r.chance(0.6), head, f);
-    for (int s = -1; s <= 1; s += 2)
-        add_eye(b, -1, f.at(r.uniform(0.3, 0.5) * s, -0.2), r.uniform(0.12, 0.25) * f.rx);
+    for (int s = -1; s <= 1; s += 2) {
+        const double out = r.uniform(0.3, 0.5), size = r.uniform(0.12, 0.25);
+        add_eye(b, -1, f.at(out * s, -0.2), size * f.rx);
+    }
     add_front_beak(b, -1, f);
     const double y = f.centre.y + f.ry * r.uniform(1.0, 1.4), rise = r.uniform(-12, 14);
     add_wings(b, trunk,
@@ -205,10 +209,9 @@ void build_front_bat(Builder& b) {
     const int trunk = add_egg(b, w, l, r.chance(0.5), head, f);
     add_frontal_face(b, -1, f);
     for (int s = -1; s <= 1; s += 2) {
-        const int ear = b.region(Label::head,
-                                 {f.at(0.95 * s, -0.3), f.at(r.uniform(0.6, 1.1) * s, r.uniform(-2.3, -1.4)),
-                                  f.at(0.15 * s, -0.8)},
-                                 -0.1);
+        const double out = r.uniform(0.6, 1.1), high = r.uniform(-2.3, -1.4);
+        const int ear =
+            b.region(Label::head, {f.at(0.95 * s, -0.3), f.at(out * s, high), f.at(0.15 * s, -0.8)}, -0.1);
         b.merge(ear, trunk);
         if (head != trunk) b.attach(ear, head);
     }
@@ -307,9 +310,8 @@ void build_fairy(Builder& b, const std::string& species) {
         for (const Part& part : b.figure.parts)
             if (part.label == Label::head && part.kind == PartKind::region)
                 for (Point2d p : part.outline.points) top = std::min(top, p.y);
-        const int halo =
-            b.stick(Label::head, ellipse({x, top - r.uniform(1.0, 4.0)}, r.uniform(5, 10), r.uniform(1.5, 3)),
-                    2, 1.2);
+        const double above = r.uniform(1.0, 4.0), rx = r.uniform(5, 10), ry = r.uniform(1.5, 3);
+        const int halo = b.stick(Label::head, ellipse({x, top - above}, rx, ry), 2, 1.2);
         b.part(halo).outline.closed = true;
     }
 }

@@ -214,8 +214,8 @@ int add_round_bird(Builder& b, const Layout& l, bool with_tail) {
     Random& r = b.random;
     const Perched& p = l.p;
     const int trunk = b.region(Label::body, ellipse({0, 0}, p.rx, p.ry, -p.tilt), 0);
-    const int head = b.region(Label::head, ellipse(l.head, p.head, p.head * r.uniform(0.85, 1.1)),
-                              r.chance(0.7) ? 1 : -0.1);
+    const double head_height = p.head * r.uniform(0.85, 1.1);
+    const int head = b.region(Label::head, ellipse(l.head, p.head, head_height), r.chance(0.7) ? 1 : -0.1);
     if (distance(l.head, l.on(-0.55)) > 1.1 * p.head) {
         const double w = r.uniform(0.2, 0.5) * p.head;
         const int neck =
@@ -300,8 +300,8 @@ void crown(Builder& b, const Layout& l, const std::string& species, int trunk) {
 void add_back_wing(Builder& b, const Layout& l, int trunk) {
     Random& r = b.random;
     const Point2d start = l.on(r.uniform(-1.0, -0.4)), front = 0.6 * l.on(r.uniform(-0.3, 0.6));
-    const Point2d low = r.uniform(0.35, 0.8) * l.on(r.uniform(1.9, 2.5)),
-                  end = 1.02 * l.on(pi + r.uniform(-0.25, 0.25));
+    const double depth = r.uniform(0.35, 0.8);
+    const Point2d low = depth * l.on(r.uniform(1.9, 2.5)), end = 1.02 * l.on(pi + r.uniform(-0.25, 0.25));
     Outline wing;
     wing.points = r.chance(0.6) ? spline({start, front, low, end}, false) : Path{start, front, end};
     wing.undrawn.assign(wing.points.size(), 0);

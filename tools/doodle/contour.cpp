@@ -65,15 +65,16 @@ void add_line_leg(Builder& b, int trunk, Point2d hip, Point2d foot, double headi
     Random& r = b.random;
     const double l = distance(hip, foot), size = std::min(l * r.uniform(0.3, 0.6), 7.0);
     if (manner <= 1) {
-        const Point2d knee = mix(hip, foot, r.uniform(0.35, 0.6)) + Point2d{r.uniform(-0.15, 0.15) * l, 0};
+        const double share = r.uniform(0.35, 0.6), bent = r.uniform(-0.15, 0.15) * l;
+        const Point2d knee = mix(hip, foot, share) + Point2d{bent, 0};
         b.stick(Label::limb, manner == 0 ? Path{hip, foot} : Path{hip, knee, foot}, -1);
         add_toes(b, foot, size, heading);
     } else if (manner == 2) { // two lines
         const double w = std::max(0.8, l * r.uniform(0.06, 0.14));
         const bool open = r.chance(0.3);
-        b.attach(b.limb(Label::limb, {hip, foot}, {w * r.uniform(1.0, 2.0), w}, -1,
-                        {Cap::flat, r.chance(0.5) ? Cap::flat : Cap::round, true, open}),
-                 trunk);
+        const double thigh = w * r.uniform(1.0, 2.0);
+        const Cap end = r.chance(0.5) ? Cap::flat : Cap::round;
+        b.attach(b.limb(Label::limb, {hip, foot}, {thigh, w}, -1, {Cap::flat, end, true, open}), trunk);
         if (r.chance(0.7)) add_toes(b, foot, size, heading);
     } else { // a V or a loop
         const double w = std::clamp(l * r.uniform(0.12, 0.3), 1.5, 3.5);

@@ -74,7 +74,8 @@ void build_fish(Builder& b, const std::string& species) {
                               false));
     if (species == "fish" && r.chance(0.3))
         for (int i = 0; i < 6; ++i) {
-            const Point2d p = bend(r.uniform(-0.6, 0.2), r.uniform(-0.5, 0.5));
+            const double u = r.uniform(-0.6, 0.2), v = r.uniform(-0.5, 0.5);
+            const Point2d p = bend(u, v);
             b.mark(trunk, spline({p + Point2d{0, -2}, p + Point2d{-2, 0}, p + Point2d{0, 2}}, false), false,
                    0.8);
         }
@@ -211,7 +212,8 @@ void build_scorpion(Builder& b, const std::string& species) {
         const Point2d root{0.85 * x, 0.4 * s * y},
             wrist = root + Point2d{r.uniform(5, 13), s * r.uniform(3, 9)};
         b.stick(Label::limb, {root, root + Point2d{2, 5.0 * s}, wrist}, -0.5);
-        add_claw(b, wrist, r.uniform(-0.4, 0.4), r.uniform(4, 8));
+        const double angle = r.uniform(-0.4, 0.4);
+        add_claw(b, wrist, angle, r.uniform(4, 8));
     }
     const int legs = r.integer(3, 4);
     const bool above = species == "lobster" || r.chance(0.5);

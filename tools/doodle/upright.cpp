@@ -46,8 +46,8 @@ int add_head(Builder& b, const Body& s, bool face) {
     Random& r = b.random;
     const double exponent = r.chance(0.12) ? r.uniform(2.5, 6.0) : 2.0;
     const Point2d c{r.uniform(-1.5, 1.5), 0};
-    const int head = b.region(Label::head, ellipse(c, s.hx, s.hy, r.uniform(-0.1, 0.1), exponent),
-                              r.chance(0.8) ? 1 : -0.3);
+    const double lean = r.uniform(-0.1, 0.1);
+    const int head = b.region(Label::head, ellipse(c, s.hx, s.hy, lean, exponent), r.chance(0.8) ? 1 : -0.3);
     if (face && r.chance(0.85)) add_frontal_face(b, head, {c, s.hx, s.hy, 0});
     return head;
 }
@@ -126,9 +126,9 @@ int add_limb(Builder& b, int trunk, const Path& line, double thick, Limbs kind, 
         return limb;
     }
     const bool open = kind == Limbs::open;
-    const int limb =
-        b.limb(Label::limb, line, {thick * r.uniform(1.0, 1.5), thick, thick * r.uniform(0.6, 1.2)}, depth,
-               {Cap::flat, r.chance(0.7) ? Cap::round : Cap::flat, true, open && r.chance(0.5)});
+    const double root = thick * r.uniform(1.0, 1.5), tip = thick * r.uniform(0.6, 1.2);
+    const RibbonEnds ends{Cap::flat, r.chance(0.7) ? Cap::round : Cap::flat, true, open && r.chance(0.5)};
+    const int limb = b.limb(Label::limb, line, {root, thick, tip}, depth, ends);
     if (joined || open) b.merge(limb, trunk);
     if (kind == Limbs::ribbons && r.chance(0.35)) {
         const int hand = b.region(Label::limb, ellipse(line.back(), 1.5 * thick, 1.2 * thick), depth + 0.1);
@@ -237,9 +237,11 @@ void add_held(Builder& b, Point2d hand) {
             2.0);
         if (r.chance(0.5)) b.stick(Label::limb, {hand + Point2d{-2, -3}, hand + Point2d{3, 0}}, 2, 2.0);
         break;
-    case 2: // a ball
-        b.region(Label::limb, ellipse(hand + Point2d{side * 2, 2}, r.uniform(3, 6), r.uniform(3, 6)), 2);
+    case 2: { // a ball
+        const double size = r.uniform(3, 6);
+        b.region(Label::limb, ellipse(hand + Point2d{side * 2, 2}, size, size * r.uniform(0.8, 1.2)), 2);
         break;
+    }
     case 3: { // a flag
         const Point2d top = hand - Point2d{0, r.uniform(16, 26)};
         b.mark(-1, {hand + Point2d{0, 4}, top});
@@ -281,8 +283,8 @@ void add_side_ears(Builder& b, const Body& s, int head, double from, double to, 
                             c + (0.6 * size) * across - (0.6 * size) * d},
                            0.5);
         } else {
-            ear = b.region(Label::head, ellipse(c, size, size * r.uniform(0.8, 1.2)),
-                           r.chance(0.8) ? -0.5 : 1.2);
+            const double high = size * r.uniform(0.8, 1.2);
+            ear = b.region(Label::head, ellipse(c, size, high), r.chance(0.8) ? -0.5 : 1.2);
         }
         if (r.chance(0.5)) b.merge(ear, head);
         if (!pointed && r.chance(0.3)) b.mark(ear, ellipse(c, 0.5 * size, 0.5 * size), true);
@@ -294,9 +296,11 @@ void add_long_tail(Builder& b, Point2d root, double side, double l, double thick
     const double rise = r.uniform(-0.4, 0.9);
     Path line;
     switch (r.integer(0, 3)) {
-    case 0:
-        line = curl(root, side > 0 ? -rise : pi + rise, l, side * -r.uniform(0.4, 1.1), r.uniform(0.0, 1.5));
+    case 0: {
+        const double turns = -side * r.uniform(0.4, 1.1);
+        line = curl(root, side > 0 ? -rise : pi + rise, l, turns, r.uniform(0.0, 1.5));
         break;
+    }
     case 1: // up in a bow
         line = {root, root + Point2d{side * 0.5 * l, 0.12 * l}, root + Point2d{side * 0.75 * l, -0.25 * l},
                 root + Point2d{side * 0.7 * l, -0.7 * l}};
@@ -314,8 +318,9 @@ void add_long_tail(Builder& b, Point2d root, double side, double l, double thick
         return;
     }
     const Path middle = line.size() > 10 ? resample(line, 6.0) : line;
-    b.limb(Label::tail, middle, {0.7 * thick, thick, thick * r.uniform(0.5, 1.5)}, -2,
-           {Cap::flat, Cap::round, true, r.chance(0.15)});
+    const double tip = thick * r.uniform(0.5, 1.5);
+    const bool open = r.chance(0.15);
+    b.limb(Label::tail, middle, {0.7 * thick, thick, tip}, -2, {Cap::flat, Cap::round, true, open});
 }
 
 // --- figures
@@ -348,7 +353,10 @@ void build_sketch_monkey(Builder& b) {
         s.top = s.hy - r.uniform(0.0, 3.0);
     s.leg *= 0.75;
     const int head = add_head(b, s, true);
-    if (r.chance(0.85)) add_side_ears(b, s, head, r.chance(0.6) ? -0.1 : 0.4, 0.9, r.chance(0.15));
+    if (r.chance(0.85)) {
+        const bool low = r.chance(0.6), pointed = r.chance(0.15);
+        add_side_ears(b, s, head, low ? -0.1 : 0.4, 0.9, pointed);
+    }
     if (r.chance(0.3)) b.mark(head, ellipse({0, 0.3 * s.hy}, 0.6 * s.hx, 0.4 * s.hy), true);
     const int trunk = add_trunk(b, s, head);
     if (!r.chance(0.12)) add_legs(b, s, trunk);
@@ -435,8 +443,8 @@ void build_mermaid(Builder& b) {
     add_arms(b, s, trunk);
     if (r.chance(0.3)) // scales
         for (int i = 0, n = r.integer(3, 9); i < n; ++i) {
-            const Point2d p =
-                mix(spine[0], spine[2], r.uniform(0.1, 1.0)) + Point2d{r.uniform(-0.5, 0.5) * hip, 0};
+            const double down = r.uniform(0.1, 1.0), across_it = r.uniform(-0.5, 0.5);
+            const Point2d p = mix(spine[0], spine[2], down) + Point2d{across_it * hip, 0};
             b.mark(tail, spline({p, p + Point2d{1.5, 2}, p + Point2d{3, 0}}, false), false, 0.8);
         }
     if (r.chance(0.4))
@@ -449,8 +457,8 @@ void build_snowman(Builder& b) {
     const int balls = r.chance(0.6) ? 2 : 1; // below the head
     double radius = r.uniform(9, 14), y = 0;
     const double grow = r.uniform(1.15, 1.6);
-    const int head = b.region(Label::head, ellipse({0, 0}, radius, radius * r.uniform(0.85, 1.1)),
-                              r.chance(0.7) ? 1 : -0.1);
+    const double high = radius * r.uniform(0.85, 1.1);
+    const int head = b.region(Label::head, ellipse({0, 0}, radius, high), r.chance(0.7) ? 1 : -0.1);
     const Frame f{{0, 0}, radius, radius, 0};
     add_frontal_face(b, head, f);
     if (r.chance(0.4)) b.mark(head, {f.at(0, -0.1), f.at(r.uniform(0.5, 1.2), 0.05), f.at(0, 0.15)});
@@ -460,8 +468,8 @@ void build_snowman(Builder& b) {
     for (int i = 0; i < balls; ++i) {
         const double next = radius * (i == 0 && balls == 2 ? std::min(grow, 1.35) : grow);
         y += (radius + next) * r.uniform(0.75, 0.97);
-        trunk = b.region(Label::body, ellipse({r.uniform(-1.5, 1.5), y}, next, next * r.uniform(0.85, 1.0)),
-                         r.chance(0.6) ? -0.2 * i : 0.1 * i);
+        const double aside = r.uniform(-1.5, 1.5), flat = next * r.uniform(0.85, 1.0);
+        trunk = b.region(Label::body, ellipse({aside, y}, next, flat), r.chance(0.6) ? -0.2 * i : 0.1 * i);
         if (i == 0) {
             arms = {0.85 * next, y - 0.2 * next};
             for (int k = 0, n = r.integer(0, 4); k < n; ++k)
@@ -536,8 +544,8 @@ void build_gingerbread(Builder& b, const std::string& species) {
     }
     if (species == "outlined monkey") {
         const double side = r.chance(0.5) ? 1 : -1;
-        add_long_tail(b, {0.7 * side * w, y + 0.8 * l}, side, r.uniform(20, 40),
-                      r.chance(0.3) ? 0 : r.uniform(2, 4));
+        const double tail = r.uniform(20, 40);
+        add_long_tail(b, {0.7 * side * w, y + 0.8 * l}, side, tail, r.chance(0.3) ? 0 : r.uniform(2, 4));
     } else if (r.chance(0.3)) {
         for (int i = 0; i < 3; ++i) b.spot(trunk, ellipse({0, y + (0.25 + 0.22 * i) * l}, 1.2, 1.2));
     }
@@ -609,10 +617,9 @@ void build_side_upright(Builder& b, const std::string& species) {
     for (int i = 0, n = r.integer(1, 2); i < n; ++i) {
         const Point2d shoulder = at(0.5, 0.28 + 0.08 * i),
                       hand = shoulder + Point2d{r.uniform(6, 13), r.uniform(-3.0, 7.0)};
-        add_limb(b, trunk,
-                 {shoulder - Point2d{0.3 * w, 0}, mix(shoulder, hand, 0.5) + Point2d{0, r.uniform(0.0, 3.0)},
-                  hand},
-                 t, kind, i == 0 && r.chance(0.5) ? 1.0 : -0.5, r.chance(0.5));
+        const Point2d elbow = mix(shoulder, hand, 0.5) + Point2d{0, r.uniform(0.0, 3.0)};
+        const double depth = i == 0 && r.chance(0.5) ? 1.0 : -0.5;
+        add_limb(b, trunk, {shoulder - Point2d{0.3 * w, 0}, elbow, hand}, t, kind, depth, r.chance(0.5));
     }
     const double foot = r.uniform(8, 17);
     const Point2d hip = at(0.1, 0.85), knee = at(1.0, 1.0),

@@ -191,8 +191,8 @@ int add_round_head(Builder& b, const Layout& l, int trunk) {
             b.limb(Label::body, {from, l.head}, {1.4 * w, w}, 0, {Cap::flat, Cap::flat, true, true});
         b.merge(neck, trunk);
     }
-    const int head =
-        b.region(Label::head, ellipse(l.head, h, h * r.uniform(0.75, 1.05), r.uniform(0.0, 0.5)), 1);
+    const double height = h * r.uniform(0.75, 1.05), droop = r.uniform(0.0, 0.5);
+    const int head = b.region(Label::head, ellipse(l.head, h, height, droop), 1);
     if (r.chance(0.25)) b.merge(head, trunk);
     if (l.a.muzzle > 0.5 * l.a.head && r.chance(0.6)) {
         const double w = h * r.uniform(0.35, 0.6);
@@ -297,9 +297,10 @@ void add_legs(Builder& b, const Walker& a, int trunk, bool lines) {
             continue;
         }
         const double depth = i % 2 ? -1.0 : -0.5, wide = w * (manner == 8 ? 1.3 : 1.0);
-        const int leg =
-            b.limb(Label::limb, {hip, knee, toe}, {wide * r.uniform(1.0, 1.7), wide, wide * taper}, depth,
-                   {Cap::flat, r.chance(0.5) ? Cap::round : Cap::flat, true, open});
+        const double thigh = wide * r.uniform(1.0, 1.7);
+        const Cap end = r.chance(0.5) ? Cap::round : Cap::flat;
+        const int leg = b.limb(Label::limb, {hip, knee, toe}, {thigh, wide, wide * taper}, depth,
+                               {Cap::flat, end, true, open});
         if (pairs) b.merge(leg, trunk); // its lines run into the belly's
         if (foot && !open && r.chance(0.8)) {
             const int paw = b.region(
@@ -329,8 +330,10 @@ void add_tail(Builder& b, const Walker& a, int trunk) {
     case Tail::flowing:
     case Tail::bushy: {
         const double w = a.tail == Tail::bushy ? r.uniform(0.1, 0.22) * l : r.uniform(0.05, 0.1) * l;
-        const int tail = b.limb(Label::tail, line, {std::max(1.2, 0.7 * w), w, r.uniform(0.3, 1.0) * w}, -0.5,
-                                {Cap::round, r.chance(0.6) ? Cap::pointed : Cap::round, true, false});
+        const double tip = r.uniform(0.3, 1.0) * w;
+        const Cap end = r.chance(0.6) ? Cap::pointed : Cap::round;
+        const int tail =
+            b.limb(Label::tail, line, {std::max(1.2, 0.7 * w), w, tip}, -0.5, {Cap::round, end, true, false});
         if (r.chance(0.75)) b.merge(tail, trunk);
         for (int i = 1; i < 5 && a.tail == Tail::bushy && r.chance(0.25); ++i)
             b.mark(tail, {mix(root, line[2], 0.2 * i) - (2 * w) * side,
