@@ -201,6 +201,43 @@ void build_front_bird(Builder& b) {
     }
 }
 
+// From the front, its tail a fan behind it.
+void build_peacock(Builder& b) {
+    Random& r = b.random;
+    const double w = r.uniform(6, 10), l = r.uniform(12, 18), fan = r.uniform(24, 40),
+                 half = r.uniform(1.0, 1.6);
+    int head = 0;
+    Frame f;
+    const int trunk = add_egg(b, w, l, r.chance(0.5), head, f);
+    for (int s = -1; s <= 1; s += 2) add_eye(b, -1, f.at(0.4 * s, -0.2), 0.2 * f.rx);
+    add_front_beak(b, -1, f);
+    const int n = r.integer(5, 9);
+    const Point2d root{0, 0.6 * l};
+    const bool loops = r.chance(0.4);
+    Contour c;
+    c.to(root);
+    for (int i = 0; i < n; ++i) {
+        const double from = -0.5 * pi - half + 2 * half * i / n, to = from + 2 * half / n;
+        const Point2d tip = root + fan * direction(0.5 * (from + to));
+        if (loops)
+            b.region(Label::tail,
+                     ellipse(mix(root, tip, 0.55), 0.48 * fan, 0.4 * fan * half / n, 0.5 * (from + to)), -2);
+        else
+            c.to(root + (0.92 * fan) * direction(from)).through({tip, root + (0.92 * fan) * direction(to)});
+    }
+    const int tail = loops ? -1 : b.region(Label::tail, c.points, -2);
+    const bool ribs = r.chance(0.6), spots = r.chance(0.6);
+    for (int i = 0; i < n; ++i) {
+        const Point2d d = direction(-0.5 * pi - half + 2 * half * (i + 0.5) / n),
+                      e = direction(-0.5 * pi - half + 2 * half * i / n);
+        if (spots && tail >= 0) b.mark(tail, ellipse(root + (0.82 * fan) * d, 0.06 * fan, 0.06 * fan), true);
+        if (ribs && tail >= 0 && i > 0) b.mark(tail, {root, root + (0.9 * fan) * e});
+    }
+    if (r.chance(0.8)) add_front_feet(b, 0.35 * w, 0.93 * l, r.uniform(4, 9));
+    if (r.chance(0.4))
+        add_wings(b, trunk, {0.8 * w, -0.2 * l, 0.7 * l, r.uniform(2, 6), r.uniform(-12, -6), 0, 0.5});
+}
+
 void build_front_bat(Builder& b) {
     Random& r = b.random;
     const double w = r.uniform(5, 12), l = r.uniform(8, 17);
@@ -316,11 +353,12 @@ void build_fairy(Builder& b, const std::string& species) {
     }
 }
 
-// A dragon from the side: a walker's trunk with a long tail, spikes and wings.
-void build_side_dragon(Builder& b) {
+// A dragon or a winged horse from the side: a walker's trunk with a long tail, spikes and wings.
+void build_side_dragon(Builder& b, const std::string& species) {
     Random& r = b.random;
-    b.figure = build_walker(r, r.chance(0.75) ? "dragon trunk" : "crocodile");
-    b.figure.type = "flying", b.figure.species = "line dragon";
+    const bool horse = species == "pegasus", long_neck = r.chance(0.75);
+    b.figure = build_walker(r, horse ? "quick horse" : long_neck ? "dragon trunk" : "crocodile");
+    b.figure.type = "flying", b.figure.species = species;
     const double x = r.uniform(-8, 6), l = r.uniform(18, 40), lean = r.uniform(0.0, 0.9);
     const int count = r.integer(1, 2);
     for (int i = 0; i < count; ++i) {
@@ -340,8 +378,8 @@ void build_side_dragon(Builder& b) {
 } // namespace
 
 std::vector<std::string> spread_species() {
-    return {"front owl",   "front penguin", "front bird", "front bat",
-            "raised bird", "fairy",         "line angel", "line dragon"};
+    return {"front owl", "front penguin", "front bird",  "front bat", "raised bird",
+            "fairy",     "line angel",    "line dragon", "pegasus",   "peacock"};
 }
 
 Figure build_spread(Random& random, const std::string& species) {
@@ -357,8 +395,10 @@ Figure build_spread(Random& random, const std::string& species) {
         build_front_bat(b);
     else if (species == "raised bird")
         b.figure.heading = 0, build_raised(b);
-    else if (species == "line dragon")
-        build_side_dragon(b);
+    else if (species == "line dragon" || species == "pegasus")
+        build_side_dragon(b, species);
+    else if (species == "peacock")
+        build_peacock(b);
     else
         build_fairy(b, species);
     return std::move(b.figure);

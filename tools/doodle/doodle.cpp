@@ -62,14 +62,6 @@ Figure build_named(Random& random, const std::string& what) {
                         colon == std::string::npos ? "" : what.substr(colon + 1));
 }
 
-namespace {
-
-struct Drawn {
-    Layer layer;
-    Character character;
-};
-
-// What is drawn where nobody says so: `variety` has more to choose from.
 std::string choose(const std::string& what, Random& varied, const DoodleOptions& options) {
     if (what.find(':') != std::string::npos) return what;
     if (!options.species.empty()) return what + ":" + options.species;
@@ -77,6 +69,13 @@ std::string choose(const std::string& what, Random& varied, const DoodleOptions&
         return what;
     return what + ":" + pick_varied(varied, what);
 }
+
+namespace {
+
+struct Drawn {
+    Layer layer;
+    Character character;
+};
 
 Drawn draw_alone(const std::string& what, Random& random, Random& varied, const Hand& hand,
                  const DoodleOptions& options) {

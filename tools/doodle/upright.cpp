@@ -191,7 +191,7 @@ Point2d add_arms(Builder& b, const Body& s, int trunk) {
 
 void add_legs(Builder& b, const Body& s, int trunk) {
     Random& r = b.random;
-    const int way = r.integer(0, 6);
+    const int way = r.integer(0, 8);
     const bool joined = r.chance(0.5), feet = r.chance(0.5);
     const double spread = way <= 2   ? r.uniform(0.0, 0.2)
                           : way == 3 ? r.uniform(0.4, 0.9)
@@ -201,6 +201,8 @@ void add_legs(Builder& b, const Body& s, int trunk) {
         const Point2d hip{side * x, s.bottom() - (s.trunk == Trunk::line ? 0 : 0.08 * s.length)};
         double knee_turn = spread, shin = spread + r.uniform(-0.15, 0.1);
         if (way == 5) knee_turn = r.uniform(0.8, 1.3), shin = r.uniform(-0.4, 0.1); // squatting
+        if (way == 7) knee_turn = 1.3, shin = -1.4;                                 // cross-legged
+        if (way == 8 && side > 0) knee_turn = r.uniform(0.7, 1.3), shin = -1.2;     // on one leg
         if (way == 6) knee_turn = side * 0.5, shin = side * (side > 0 ? 0.1 : 1.2); // running
         const Point2d knee = hip + (0.5 * s.leg) * outwards(knee_turn, side),
                       foot = knee + (0.5 * s.leg) * outwards(shin, side);
@@ -342,6 +344,29 @@ void build_posed(Builder& b, bool lines, bool baby) {
     const Point2d hand = add_arms(b, s, trunk);
     if (r.chance(0.18)) add_held(b, hand);
     if (s.w > 0 && r.chance(0.25)) add_pattern(b, trunk, {{0, s.middle()}, s.w, 0.5 * s.length, 0});
+}
+
+void build_boxy_robot(Builder& b) {
+    Random& r = b.random;
+    Body s = random_body(b);
+    s.trunk = Trunk::box, s.w = 0.5 * s.length * r.uniform(0.5, 1.0), s.hx = s.w * r.uniform(0.5, 1.0),
+    s.hy = s.hx * r.uniform(0.6, 1.0);
+    s.top = s.hy + (r.chance(0.6) ? -0.5 : r.uniform(1.0, 4.0));
+    const int head = b.region(Label::head, {{-s.hx, -s.hy}, {s.hx, -s.hy}, {s.hx, s.hy}, {-s.hx, s.hy}}, 1);
+    add_frontal_face(b, head, {{0, 0}, s.hx, s.hy, 0});
+    for (int side = -1, pair = r.integer(0, 2); side <= 1 && pair > 0; side += 2) {
+        const double x = pair == 1 ? 0.0 : 0.5 * side * s.hx;
+        const Point2d tip{x, -s.hy - r.uniform(4.0, 9.0)};
+        b.stick(Label::head, {{x, -s.hy}, tip}, 0, 1.5);
+        b.region(Label::head, ellipse(tip, 1.5, 1.5), 1);
+        if (pair == 1) break;
+    }
+    const int trunk = add_trunk(b, s, head);
+    if (r.chance(0.5)) b.mark(trunk, ellipse({0, s.middle()}, 0.6 * s.w, 0.25 * s.length, 0, 8.0), true);
+    for (int i = 0, n = r.integer(0, 3); i < n; ++i)
+        b.mark(trunk, ellipse({(-0.4 + 0.4 * i) * s.w, s.middle()}, 1.3, 1.3), true);
+    add_legs(b, s, trunk);
+    add_arms(b, s, trunk);
 }
 
 void build_sketch_monkey(Builder& b) {
@@ -526,15 +551,16 @@ void build_gingerbread(Builder& b, const std::string& species) {
     const int trunk =
         b.region(Label::body, ellipse({0, y + 0.5 * l}, w, 0.55 * l, 0, r.uniform(2.0, 3.5)), 0);
     const int head = b.region(Label::head, ellipse({0, 0}, h, h * r.uniform(0.85, 1.15)), 0.2);
+    const double depth = r.chance(0.7) ? -0.05 : 0.05;
     b.merge(head, trunk);
     add_frontal_face(b, head, {{0, 0}, h, h, 0});
     for (int side = -1; side <= 1; side += 2) {
         const Point2d shoulder{0.6 * side * w, y + 0.25 * l}, hip{0.5 * side * w, y + 0.85 * l};
         const Point2d hand = shoulder + (arm + 0.4 * w) * Point2d{side * math::cos(raise), -math::sin(raise)};
-        const int limbs[2] = {b.limb(Label::limb, {shoulder, hand}, {t, t * 0.9}, 0.05),
+        const int limbs[2] = {b.limb(Label::limb, {shoulder, hand}, {t, t * 0.9}, depth),
                               b.limb(Label::limb,
                                      {hip, hip + leg * Point2d{side * math::sin(spread), math::cos(spread)}},
-                                     {1.3 * t, t}, 0.05)};
+                                     {1.3 * t, t}, depth)};
         for (int limb : limbs) b.merge(limb, trunk);
         if (species == "outlined monkey") {
             const double ear = h * r.uniform(0.3, 0.5);
@@ -661,7 +687,8 @@ std::vector<std::string> upright_species() {
     return {"posed person", "posed stick person", "sketched monkey",  "outlined monkey",
             "gingerbread",  "princess",           "mermaid",          "snowman",
             "panda",        "round bear",         "upright rabbit",   "person from the side",
-            "baby",         "kangaroo",           "upright squirrel", "upright mouse"};
+            "baby",         "kangaroo",           "upright squirrel", "upright mouse",
+            "boxy robot"};
 }
 
 Figure build_upright(Random& random, const std::string& species) {
@@ -669,6 +696,8 @@ Figure build_upright(Random& random, const std::string& species) {
     b.figure.heading = 0.5 * pi;
     if (species == "sketched monkey")
         build_sketch_monkey(b);
+    else if (species == "boxy robot")
+        build_boxy_robot(b);
     else if (species == "princess")
         build_princess(b);
     else if (species == "mermaid")

@@ -54,6 +54,7 @@ const std::vector<Kind>& kinds() {
         {"bear on four", {30, 15, 15, 5, 0.3, 10, 4, E::round, T::stub, 4}},
         {"quick sheep", {26, 14, 11, 4, 0.3, 8, 4, E::floppy, T::stub, 5}},
         {"big cat", {30, 10, 17, 5, 0.5, 10, 3, E::round, T::tuft, 28}},
+        {"walking monkey", {19, 10, 14, 6, 0.7, 8, 2, E::round, T::line, 36}},
         {"dragon trunk", {28, 11, 15, 22, 0.9, 7, 8, E::pointed, T::thick, 44}},
         {"walking squirrel", {19, 9, 8, 4, 0.6, 7, 3, E::pointed, T::upright, 34}},
     };
@@ -356,11 +357,13 @@ void add_tail(Builder& b, const Walker& a, int trunk) {
         b.merge(tail, trunk);
         return;
     }
-    case Tail::stub:
+    case Tail::stub: {
         if (l < 3.0) return;
-        b.attach(b.region(Label::tail, ellipse(root - Point2d{0.3 * l, 0}, 0.6 * l, 0.5 * l),
-                          r.chance(0.6) ? -0.5 : 0.5),
-                 trunk);
+        const double size = std::min(l, 7.0);
+        const Path ball = ellipse(root - Point2d{0.3 * size, 0}, 0.6 * size, 0.5 * size);
+        b.attach(b.region(Label::tail, ball, r.chance(0.6) ? -0.5 : 0.5), trunk);
+        return;
+    }
     }
 }
 
@@ -459,8 +462,9 @@ Figure build_walker(Random& random, const std::string& species) {
         head = add_round_head(b, l, trunk);
     }
     if (!flowing || a.ears != Ears::pointed || random.chance(0.3)) add_ears(b, l, head);
-    add_tail(b, a, trunk);
-    add_legs(b, line ? flat(a) : a, trunk, line);
+    const Walker rear = line ? flat(a) : a;
+    add_tail(b, rear, trunk);
+    add_legs(b, rear, trunk, line);
     if (!line) finish(b, l, trunk, species);
     return std::move(b.figure);
 }
