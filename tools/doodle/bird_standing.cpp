@@ -356,7 +356,7 @@ void add_legs(Builder& b, const Layout& l, int trunk, const std::string& species
 void add_wing(Builder& b, const Layout& l, int trunk, bool flowing) {
     Random& r = b.random;
     const Perched& p = l.p;
-    if (b.figure.species == "wingless bird" || r.chance(0.25)) return;
+    if (b.figure.species == "wingless bird" || r.chance(0.35)) return;
     if (flowing && p.neck < p.head && r.chance(0.2)) return add_back_wing(b, l, trunk);
     const bool over = r.chance(0.22); // over the back and beyond the trunk
     const double u = over ? r.uniform(-0.75, -0.4) : r.uniform(-0.25, 0.1),
@@ -383,7 +383,8 @@ Figure build_perched(Random& random, const std::string& species) {
     if (species == "swimming duck" && random.chance(0.2)) p.leg = random.uniform(4.0, 9.0); // ashore
     const Layout l = lay_out(random, p);
     const bool fan = p.end == TailShape::fan, flowing = random.chance(0.78);
-    const int trunk = flowing ? add_flowing_bird(b, l, !fan) : add_round_bird(b, l, !fan);
+    const bool tailed = !fan && !random.chance(0.14);
+    const int trunk = flowing ? add_flowing_bird(b, l, tailed) : add_round_bird(b, l, tailed);
     if (fan) add_fan(b, l, species);
     if (random.chance(0.85))
         add_eye(b, -1, l.head + (0.3 * p.head) * direction(l.gaze - 0.8),

@@ -118,7 +118,12 @@ void ink_line(Layer& layer, const Path& line, const Hand& hand, const Colour& co
         pieces = {Path(whole.begin(), whole.begin() + static_cast<long>(at)),
                   Path(whole.begin() + static_cast<long>(std::min(n - 1, at + hole)), whole.end())};
     }
-    if (hand.open > 0.0 || hand.dash > 0.0) pieces = broken(pieces.front(), hand, random);
+    if (hand.open > 0.0 || hand.dash > 0.0) {
+        std::vector<Path> shorter;
+        for (const Path& piece : pieces)
+            for (Path& part : broken(piece, hand, random)) shorter.push_back(std::move(part));
+        pieces = std::move(shorter);
+    }
     for (const Path& piece : pieces) {
         if (piece.size() < 2) continue;
         lay_ink(layer, by_hand(piece, hand, random), hand, colour, width, random, label);

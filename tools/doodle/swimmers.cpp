@@ -14,6 +14,57 @@ namespace {
 
 using math::pi;
 
+struct Fish {
+    double x, y, arch, gill;
+    Point2d bend(double u, double v) const { return {u * x, v * y + arch * u * u}; }
+};
+
+void add_fins(Builder& b, const Fish& f, int trunk, const std::string& species) {
+    Random& r = b.random;
+    if (species == "shark" || species == "dolphin" || r.chance(0.35)) { // the dorsal fin
+        const double size = r.uniform(6, 13);
+        const int fin = b.region(
+            Label::body, {f.bend(0.25, -0.85), f.bend(-0.15, -0.95) - Point2d{0, size}, f.bend(-0.25, -0.75)},
+            -0.2);
+        if (r.chance(0.7)) b.merge(fin, trunk);
+    }
+    if (r.chance(0.6)) { // a side fin
+        const double size = r.uniform(5, 12);
+        const bool inside = r.chance(0.4);
+        const Point2d at = f.bend(0.2, inside ? 0.1 : 0.7);
+        const int fin =
+            b.region(Label::limb, {at, at + Point2d{-0.8 * size, 0.8 * size}, at - Point2d{0.6 * size, 0}},
+                     inside ? 0.5 : -0.3);
+        if (!inside && r.chance(0.6)) b.merge(fin, trunk);
+    }
+}
+
+void add_fish_marks(Builder& b, const Fish& f, int trunk, const std::string& species) {
+    Random& r = b.random;
+    const bool whale = species == "whale";
+    if (species == "fish" && r.chance(0.6))
+        b.mark(trunk, spline({f.bend(f.gill, -0.9), f.bend(f.gill + 0.1, 0), f.bend(f.gill, 0.9)}, false));
+    if (species == "shark" && r.chance(0.6))
+        for (int i = 0; i < 3; ++i)
+            b.mark(trunk, {f.bend(f.gill - 0.1 * i, -0.35), f.bend(f.gill - 0.04 - 0.1 * i, 0.35)});
+    add_eye(b, -1, f.bend(f.gill + 0.25, -0.25), r.uniform(0.8, 2.2));
+    if (r.chance(0.7))
+        b.mark(trunk,
+               spline({f.bend(0.98, 0.25), f.bend(0.82, 0.35), f.bend(0.7, whale ? 0.0 : 0.3)}, false));
+    if (whale && r.chance(0.7))
+        for (int s = -1; s <= 1; ++s)
+            b.mark(-1, spline({f.bend(0.35, -1), f.bend(0.35, -1.4) + Point2d{2.0 * s, -2},
+                               f.bend(0.35, -1.5) + Point2d{5.0 * s, -5}},
+                              false));
+    if (species == "fish" && r.chance(0.3))
+        for (int i = 0; i < 6; ++i) {
+            const double u = r.uniform(-0.6, 0.2), v = r.uniform(-0.5, 0.5);
+            const Point2d p = f.bend(u, v);
+            b.mark(trunk, spline({p + Point2d{0, -2}, p + Point2d{-2, 0}, p + Point2d{0, 2}}, false), false,
+                   0.8);
+        }
+}
+
 // Fish, sharks, whales and dolphins in one outline; `arch` bends the back.
 void build_fish(Builder& b, const std::string& species) {
     Random& r = b.random;
@@ -45,40 +96,9 @@ void build_fish(Builder& b, const std::string& species) {
     b.piece(trunk, Label::tail, beyond(at_tail(-1, 0), at_tail(1, 0) - at_tail(0, 0), 40, 60));
     const double gill = r.uniform(0.35, 0.6);
     b.piece(trunk, Label::head, beyond(bend(gill, 0), {1, 0.2 * arch / 10}, 40, 60));
-    if (species == "fish" && r.chance(0.6))
-        b.mark(trunk, spline({bend(gill, -0.9), bend(gill + 0.1, 0), bend(gill, 0.9)}, false));
-    if (shark && r.chance(0.6))
-        for (int i = 0; i < 3; ++i)
-            b.mark(trunk, {bend(gill - 0.1 * i, -0.35), bend(gill - 0.04 - 0.1 * i, 0.35)});
-    add_eye(b, -1, bend(gill + 0.25, -0.25), r.uniform(0.8, 2.2));
-    if (r.chance(0.7))
-        b.mark(trunk, spline({bend(0.98, 0.25), bend(0.82, 0.35), bend(0.7, whale ? 0.0 : 0.3)}, false));
-    if (shark || dolphin || r.chance(0.35)) { // the dorsal fin
-        const double f = r.uniform(6, 13);
-        const int fin = b.region(
-            Label::body, {bend(0.25, -0.85), bend(-0.15, -0.95) - Point2d{0, f}, bend(-0.25, -0.75)}, -0.2);
-        if (r.chance(0.7)) b.merge(fin, trunk);
-    }
-    if (r.chance(0.6)) { // a side fin
-        const double f = r.uniform(5, 12);
-        const bool inside = r.chance(0.4);
-        const Point2d at = bend(0.2, inside ? 0.1 : 0.7);
-        const int fin = b.region(Label::limb, {at, at + Point2d{-0.8 * f, 0.8 * f}, at - Point2d{0.6 * f, 0}},
-                                 inside ? 0.5 : -0.3);
-        if (!inside && r.chance(0.6)) b.merge(fin, trunk);
-    }
-    if (whale && r.chance(0.7))
-        for (int s = -1; s <= 1; ++s)
-            b.mark(-1, spline({bend(0.35, -1), bend(0.35, -1.4) + Point2d{2.0 * s, -2},
-                               bend(0.35, -1.5) + Point2d{5.0 * s, -5}},
-                              false));
-    if (species == "fish" && r.chance(0.3))
-        for (int i = 0; i < 6; ++i) {
-            const double u = r.uniform(-0.6, 0.2), v = r.uniform(-0.5, 0.5);
-            const Point2d p = bend(u, v);
-            b.mark(trunk, spline({p + Point2d{0, -2}, p + Point2d{-2, 0}, p + Point2d{0, 2}}, false), false,
-                   0.8);
-        }
+    const Fish shape{x, y, arch, gill};
+    add_fish_marks(b, shape, trunk, species);
+    add_fins(b, shape, trunk, species);
     b.figure.max_tilt = 0.3;
 }
 

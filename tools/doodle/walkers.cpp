@@ -35,7 +35,7 @@ const std::vector<Kind>& kinds() {
     using T = Tail;
     static const std::vector<Kind> table = {
         {"quick dog", {30, 9, 22, 7, 0.6, 7, 9, E::pointed, T::line, 18}},
-        {"long dog", {36, 7, 14, 6, 0.5, 6, 9, E::floppy, T::flowing, 16}},
+        {"long dog", {34, 8, 14, 6, 0.5, 6, 9, E::floppy, T::flowing, 16}},
         {"quick cat", {27, 9, 17, 6, 0.6, 8, 2, E::pointed, T::line, 32}},
         {"quick horse", {29, 10, 30, 20, 0.9, 7, 12, E::pointed, T::bushy, 24}},
         {"quick cow", {32, 13, 19, 7, 0.3, 8, 8, E::pointed, T::tuft, 22}},
@@ -46,7 +46,7 @@ const std::vector<Kind>& kinds() {
         {"trunked elephant", {28, 18, 16, 3, 0.2, 12, 4, E::floppy, T::line, 12}},
         {"rhinoceros", {32, 15, 14, 5, 0.0, 9, 9, E::pointed, T::line, 10}},
         {"raccoon", {27, 11, 11, 5, 0.4, 8, 5, E::pointed, T::bushy, 28}},
-        {"crocodile", {36, 7, 7, 5, 0.0, 6, 24, E::none, T::thick, 40}},
+        {"crocodile", {32, 8, 8, 5, 0.0, 6, 20, E::none, T::thick, 32}},
         {"quick mouse", {20, 10, 5, 2, 0.1, 8, 6, E::round, T::line, 34}},
         {"quick rabbit", {18, 11, 6, 3, 0.7, 8, 2, E::tall, T::stub, 6}},
         {"hedgehog", {24, 14, 5, 1, -0.1, 7, 7, E::none, T::stub, 2}},
@@ -463,7 +463,7 @@ Figure build_walker(Random& random, const std::string& species) {
     }
     if (!flowing || a.ears != Ears::pointed || random.chance(0.3)) add_ears(b, l, head);
     const Walker rear = line ? flat(a) : a;
-    add_tail(b, rear, trunk);
+    if (!random.chance(0.2)) add_tail(b, rear, trunk);
     add_legs(b, rear, trunk, line);
     if (!line) finish(b, l, trunk, species);
     return std::move(b.figure);
