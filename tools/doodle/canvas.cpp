@@ -118,7 +118,7 @@ std::string place_figure(Figure& figure, Random& r, Box area, const DoodleOption
     for (Part& part : figure.parts)
         for (Point2d& p : part.outline.points) {
             p = rotated({(mirror ? -1.0 : 1.0) * aspect * p.x, p.y}, tilt);
-            if (part.kind == PartKind::mark) continue;
+            if (part.kind == PartKind::mark || part.within >= 0) continue;
             x0 = std::min(x0, p.x), x1 = std::max(x1, p.x), y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
         }
     const double scale = fill * std::min(area.width / (x1 - x0), area.height / (y1 - y0));
@@ -169,9 +169,13 @@ private:
         std::vector<Point2d> shift;
         for (Part& part : parts_) {
             const double dx = hand_.misplace * random_.normal(), dy = hand_.misplace * random_.normal();
-            shift.push_back(part.owner < 0
-                                ? Point2d{dx, dy}
-                                : shift[static_cast<std::size_t>(part.owner)] + Point2d{0.3 * dx, 0.3 * dy});
+            const bool piece = part.within >= 0;
+            if (piece)
+                shift.push_back(shift[static_cast<std::size_t>(part.within)]);
+            else
+                shift.push_back(part.owner < 0 ? Point2d{dx, dy}
+                                               : shift[static_cast<std::size_t>(part.owner)] +
+                                                     Point2d{0.3 * dx, 0.3 * dy});
             for (Point2d& p : part.outline.points) p = p + shift.back();
             const double total = path_length(part.outline.points, part.outline.closed);
             part.outline = resample(part.outline, 1.5);
@@ -191,6 +195,12 @@ private:
         }
     }
 
+    static void clip(Patch<std::uint8_t>& mask, const Patch<std::uint8_t>& to) {
+        for (int y = 0; y < mask.box.height; ++y)
+            for (int x = 0; x < mask.box.width; ++x)
+                if (!to.at(mask.box.x + x, mask.box.y + y)) mask.values(x, y) = 0;
+    }
+
     void paint_order() {
         masks_.resize(parts_.size());
         for (std::size_t i = 0; i < parts_.size(); ++i) order_.push_back(i);
@@ -200,6 +210,7 @@ private:
             if (parts_[i].kind != PartKind::region) continue;
             masks_[i] = fill_polygon(parts_[i].outline.points, width_, height_);
             const Box& box = masks_[i].box;
+            if (parts_[i].within >= 0) clip(masks_[i], masks_[static_cast<std::size_t>(parts_[i].within)]);
             for (int y = 0; y < box.height; ++y)
                 for (int x = 0; x < box.width; ++x)
                     if (masks_[i].values(x, y)) top_(box.x + x, box.y + y) = static_cast<int>(i);
@@ -215,7 +226,9 @@ private:
             return top == part.owner || (top >= 0 && has(figure_.merged, static_cast<std::size_t>(top),
                                                          static_cast<std::size_t>(part.owner)));
         }
+        if (part.within >= 0 && !masks_[static_cast<std::size_t>(part.within)].at(x, y)) return false;
         for (std::size_t j = 0; j < parts_.size(); ++j) {
+            if (parts_[j].within >= 0 || part.within == static_cast<int>(j)) continue;
             if (j == i || parts_[j].kind != PartKind::region || !masks_[j].at(x, y)) continue;
             if (has(figure_.merged, i, j)) return false;
             if (hides(j, i) && !has(figure_.see_through, i, j)) return false;

@@ -33,6 +33,11 @@ struct Hand {
     double overshoot = 2.0; // how far ends run over or stop short
     double gap = 0.1;       // probability that a stroke is interrupted
     double again = 0.05;    // probability that a stroke is drawn twice
+    double open = 0.0;      // probability that a stroke is several that do not meet
+    int strokes = 1;        // how often it is drawn again then
+    double dash = 0.0;      // length of dashes; 0: none
+    double hatch = 1.0;     // distance of hatches, relative to the usual one
+    bool solid = false;     // areas are filled evenly
     Filling filling = Filling::none;
     std::vector<Colour> paints;       // per Part::paint
     bool coloured_lines = false;      // lines in the paint of their part
@@ -42,6 +47,8 @@ struct Hand {
     std::optional<Colour> second_ink; // of marks: faces, patterns
 };
 Hand random_hand(Random& random, const DoodleOptions& options);
+// Another manner of drawing now and then (manners.cpp).
+void vary_hand(Hand& hand, Random& random, const DoodleOptions& options);
 // The hand as it draws things: with crayons of their natural colours (things.hpp), one for each.
 Hand natural_hand(const Hand& hand, Random& random);
 

@@ -17,7 +17,7 @@ Composition::Composition(int width, int height, const Colour& ground)
 Composition::Drawn Composition::draw_apart(Figure& figure, const Hand& hand, Random& random) const {
     double x0 = 1e9, y0 = 1e9, x1 = -1e9, y1 = -1e9;
     for (const Part& part : figure.parts)
-        for (Point2d p : part.outline.points)
+        for (Point2d p : part.within < 0 ? part.outline.points : Path{})
             x0 = std::min(x0, p.x), x1 = std::max(x1, p.x), y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
     const double margin = 4.0 + 3.0 * hand.pen + hand.overshoot + 4.0 * hand.misplace;
     Drawn drawn;

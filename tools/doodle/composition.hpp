@@ -8,6 +8,8 @@ namespace pantin::doodle {
 
 // A figure of a type or type:species. Throws Error(usage) for unknown names (doodle.cpp).
 Figure build_named(Random& random, const std::string& what);
+// A type as type:species, where `options` say which or `variety` has more to choose from (doodle.cpp).
+std::string choose(const std::string& what, Random& varied, const DoodleOptions& options);
 // Throws Error(usage) below 64 pixels.
 void check_size(const DoodleOptions& options);
 

@@ -8,6 +8,7 @@
 #include "doodle/canvas.hpp"
 #include "doodle/composition.hpp"
 #include "doodle/looks.hpp"
+#include "doodle/species.hpp"
 #include "doodle/things.hpp"
 #include "pantin/error.hpp"
 
@@ -30,7 +31,11 @@ const std::string& checked(const std::vector<std::string>& species, const std::s
 }
 
 Figure build_figure(Random& random, const std::string& type, const std::string& wanted) {
-    const std::vector<std::string> species = species_of(type);
+    const std::vector<std::string> species = species_of(type), more = varied_species(type);
+    if (std::find(more.begin(), more.end(), wanted) != more.end()) return build_varied(random, type, wanted);
+    if (type == "other")
+        return build_varied(random, type,
+                            wanted.empty() ? random.pick(species) : checked(species, wanted, type));
     if (species.empty()) return build_decoy(random, type);
     if (type == "thing")
         return build_thing(random, wanted.empty() ? random.pick(species) : checked(species, wanted, type));
@@ -57,6 +62,14 @@ Figure build_named(Random& random, const std::string& what) {
                         colon == std::string::npos ? "" : what.substr(colon + 1));
 }
 
+std::string choose(const std::string& what, Random& varied, const DoodleOptions& options) {
+    if (what.find(':') != std::string::npos) return what;
+    if (!options.species.empty()) return what + ":" + options.species;
+    if (options.variety <= 0.0 || varied_species(what).empty() || !varied.chance(options.variety))
+        return what;
+    return what + ":" + pick_varied(varied, what);
+}
+
 namespace {
 
 struct Drawn {
@@ -64,12 +77,15 @@ struct Drawn {
     Character character;
 };
 
-Drawn draw_alone(const std::string& what, Random& random, const Hand& hand, const DoodleOptions& options) {
-    const bool whole_name = options.species.empty() || what.find(':') != std::string::npos;
-    Figure figure = build_named(random, whole_name ? what : what + ":" + options.species);
+Drawn draw_alone(const std::string& what, Random& random, Random& varied, const Hand& hand,
+                 const DoodleOptions& options) {
+    Figure figure = build_named(random, choose(what, varied, options));
     const std::string type = figure.type;
     const int margin = std::max(4, static_cast<int>(1.5 * hand.pen + hand.overshoot));
-    const Box area{margin, margin, options.width - 2 * margin, options.height - 2 * margin};
+    Box area{margin, margin, options.width - 2 * margin, options.height - 2 * margin};
+    if (options.variety > 0.0 && varied.chance(0.04 * options.variety)) // cut by the paper's border
+        area.x += static_cast<int>(varied.uniform(-0.12, 0.12) * options.width),
+            area.y += static_cast<int>(varied.uniform(-0.12, 0.12) * options.height);
     Drawn drawn;
     drawn.character.type = type;
     drawn.character.species = figure.species;
@@ -91,6 +107,7 @@ std::vector<std::string> species_of(const std::string& type) {
     if (type == "humanoid") return humanoid_species();
     if (type == "quadruped") return quadruped_species();
     if (type == "flying") return flyer_species();
+    if (type == "other") return varied_species(type);
     if (type == "thing") return thing_species();
     if (type == "head" || type == "blob" || type == "scribble") return {};
     throw Error(ErrorKind::usage, "unknown type of doodle '" + type + "'");
@@ -99,10 +116,11 @@ std::vector<std::string> species_of(const std::string& type) {
 Doodle draw_character(const std::string& type, std::uint64_t seed, const DoodleOptions& options) {
     check_size(options);
     Random style = Random::stream(seed, 0), figure = Random::stream(seed, 1), paper = Random::stream(seed, 2),
-           look = Random::stream(seed, 3);
+           look = Random::stream(seed, 3), varied = Random::stream(seed, 5);
     Hand hand = random_hand(style, options);
+    if (varied.chance(options.variety)) vary_hand(hand, varied, options);
     apply_look(options.look, hand, look);
-    Drawn drawn = draw_alone(type, figure, hand, options);
+    Drawn drawn = draw_alone(type, figure, varied, hand, options);
     Doodle doodle;
     static_cast<Character&>(doodle) = drawn.character;
     print_lines(options.look, hand, drawn.layer.ink, look);
@@ -126,10 +144,12 @@ Page draw_page(const std::vector<std::string>& types, std::uint64_t seed, const 
         if (badness < best) best = badness, columns = c;
     }
     const int rows = (count + columns - 1) / columns;
-    Random style = Random::stream(seed, 0), paper = Random::stream(seed, 2), look = Random::stream(seed, 3);
+    Random style = Random::stream(seed, 0), paper = Random::stream(seed, 2), look = Random::stream(seed, 3),
+           varied = Random::stream(seed, 5);
     DoodleOptions cell = options;
     cell.width = std::max(64, options.width / columns), cell.height = std::max(64, options.height / rows);
     Hand hand = random_hand(style, cell);
+    if (varied.chance(options.variety)) vary_hand(hand, varied, cell);
     apply_look(options.look, hand, look);
     Page page;
     Grid<Colour> ink(options.width, options.height, hand.ground);
@@ -137,7 +157,7 @@ Page draw_page(const std::vector<std::string>& types, std::uint64_t seed, const 
     page.instances = GreyImage(options.width, options.height);
     for (std::size_t i = 0; i < types.size(); ++i) {
         Random figure = Random::stream(seed, 16 + i);
-        Drawn drawn = draw_alone(types[i], figure, hand, cell);
+        Drawn drawn = draw_alone(types[i], figure, varied, hand, cell);
         const int row = static_cast<int>(i) / columns, in_row = std::min(columns, count - row * columns);
         const int indent = (columns - in_row) * cell.width / 2; // the last row stands in the middle
         const int left = indent + static_cast<int>(i) % columns * cell.width, top = row * cell.height;

@@ -23,12 +23,14 @@ struct DoodleOptions {
     double pen = 0.0;     // pen width in pixels; 0: random
     double gaps = 1.0;    // how much the outlines are interrupted (0: never, 1: as people do)
     double tilt = 1.0;    // how much figures are turned (0: upright)
+    double variety = 0.0; // share of drawings of the species and in the manners of quick sketches
     std::string species;  // one of species_of(type); empty: random
     std::string look; // one of looks(); empty: a pen on white, photographed or on paper by the shares above
 };
 
 struct Character {
-    std::string type;    // humanoid, quadruped, flying; or head, blob, scribble, thing: no character at all
+    std::string
+        type; // humanoid, quadruped, flying, other; or head, blob, scribble, thing: no character at all
     std::string species; // what was drawn, e.g. "dog"
     std::string pose;    // the way it faces on the page: E, NE, N, NW, W, SW, S, SE
     Box box;             // smallest box of its label pixels
@@ -49,12 +51,15 @@ struct Page {
     std::vector<Character> things; // of a scene: what has no label, with the box of its ink
 };
 
-// The types with parts: humanoid, quadruped, flying.
+// The types that are told apart: humanoid, quadruped, flying. What is none of them, fish and crabs, is
+// `other`.
 const std::vector<std::string>& character_types();
 // crayon (filled in, pale or strong), no-outline (areas on an even ground), tinted (even coloured paper),
 // grid (ruled, up to as dark as the pen), chalk (light on a dark board), kraft (brown paper, dark or white
 // ink or both).
 const std::vector<std::string>& looks();
+// What `variety` adds to a type.
+std::vector<std::string> varied_species(const std::string& type);
 // The species that a type is drawn as; empty for head, blob and scribble. Throws Error(usage) for another
 // type.
 std::vector<std::string> species_of(const std::string& type);

@@ -2,6 +2,8 @@
 // Calls that add parts in, a figure in painter's order out.
 #include "doodle/figure.hpp"
 
+#include <algorithm>
+
 namespace pantin::doodle {
 
 Manner random_manner(Random& random) {
@@ -44,6 +46,15 @@ int Builder::stick(Label label, Path line, double depth, double thickness) {
     const int index = region(label, Outline{std::move(line), {}, false}, depth);
     part(index).kind = PartKind::stick;
     part(index).thickness = thickness;
+    return index;
+}
+
+int Builder::piece(int owner, Label label, Path area) {
+    const int index = region(label, std::move(area), part(owner).depth);
+    Part& piece = part(index);
+    piece.within = owner, piece.paint = part(owner).paint;
+    std::fill(piece.outline.undrawn.begin(), piece.outline.undrawn.end(), 1);
+    merge(index, owner); // marks of one are seen on the other
     return index;
 }
 

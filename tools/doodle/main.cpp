@@ -119,9 +119,13 @@ int main(int argc, char** argv) {
     app.add_option("--count", a.count, "drawings")->check(CLI::Range(1, 1'000'000));
     app.add_option("--first", a.first, "number of the first drawing")->check(CLI::Range(0, 100'000'000));
     app.add_option("--seed", a.seed, "everything follows from it");
-    app.add_option("--type", a.type, "humanoid, quadruped, flying, mixed, head, blob, scribble or thing")
-        ->check(
-            CLI::IsMember({"humanoid", "quadruped", "flying", "mixed", "head", "blob", "scribble", "thing"}));
+    app.add_option("--type", a.type,
+                   "humanoid, quadruped, flying, mixed, other, head, blob, scribble or thing")
+        ->check(CLI::IsMember(
+            {"humanoid", "quadruped", "flying", "mixed", "other", "head", "blob", "scribble", "thing"}));
+    app.add_option("--variety", a.options.variety,
+                   "share of drawings of the species and in the manners of quick sketches")
+        ->check(CLI::Range(0.0, 1.0));
     app.add_option("--species", a.options.species, "what exactly, e.g. dog");
     app.add_option("--per-page", a.per_page, "characters on one page")->check(CLI::Range(1, 64));
     app.add_option("--types", a.types, "what is on every page, e.g. humanoid,quadruped:dog,head");

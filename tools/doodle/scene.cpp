@@ -21,7 +21,7 @@ struct Area {
 void stand(Figure& figure, const Area& area, bool mirrored, bool stretched = false) {
     double x0 = 1e9, y0 = 1e9, x1 = -1e9, y1 = -1e9;
     for (const Part& part : figure.parts) {
-        if (part.kind == PartKind::mark) continue;
+        if (part.kind == PartKind::mark || part.within >= 0) continue;
         for (Point2d p : part.outline.points)
             x0 = std::min(x0, p.x), x1 = std::max(x1, p.x), y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
     }
@@ -40,9 +40,9 @@ std::string facing(const Figure& figure, bool mirrored) {
 
 class Scene {
 public:
-    Scene(Composition& page, Random& random, const Hand& hand, const DoodleOptions& options)
-        : page_(page), r_(random), hand_(hand), width_(options.width), height_(options.height),
-          ground_(height_ * random.uniform(0.76, 0.9)) {}
+    Scene(Composition& page, Random& random, Random& varied, const Hand& hand, const DoodleOptions& options)
+        : page_(page), r_(random), varied_(varied), options_(options), hand_(hand), width_(options.width),
+          height_(options.height), ground_(height_ * random.uniform(0.76, 0.9)) {}
 
     void draw(bool animals) {
         const int count = r_.integer(2, 4);
@@ -75,7 +75,7 @@ private:
     }
 
     void character(const std::string& what, const Area& area) {
-        Figure figure = build_named(r_, what);
+        Figure figure = build_named(r_, options_.variety > 0.0 ? choose(what, varied_, options_) : what);
         const bool mirrored = r_.chance(0.5);
         const std::string pose = facing(figure, mirrored);
         stand(figure, area, mirrored);
@@ -169,6 +169,8 @@ private:
 
     Composition& page_;
     Random& r_;
+    Random& varied_;
+    const DoodleOptions& options_;
     const Hand& hand_;
     double width_, height_, ground_;
     std::vector<std::string> columns_;
@@ -185,14 +187,14 @@ Page draw_scene(const std::string& kind, std::uint64_t seed, const DoodleOptions
     check_size(options);
     if (kind != "family" && kind != "animals") throw Error(ErrorKind::usage, "unknown scene '" + kind + "'");
     Random style = Random::stream(seed, 0), random = Random::stream(seed, 1), paper = Random::stream(seed, 2),
-           look = Random::stream(seed, 3);
+           look = Random::stream(seed, 3), varied = Random::stream(seed, 5);
     DoodleOptions pens = options; // pens for figures that are half as high as the page
     pens.width = static_cast<int>(0.7 * options.width), pens.height = static_cast<int>(0.7 * options.height);
     Hand hand = random_hand(style, pens);
     hand.gap *= 0.5;
     apply_look(options.look, hand, look);
     Composition page(options.width, options.height, hand.ground);
-    Scene(page, random, hand, options).draw(kind == "animals");
+    Scene(page, random, varied, hand, options).draw(kind == "animals");
     print_lines(options.look, hand, page.ink, look);
     const Finish finish = random_finish(paper, options);
     page.page.picture = on_paper(page.ink, paper, finish);

@@ -83,6 +83,27 @@ void lay_ink(Layer& layer, const Path& path, const Hand& hand, const Colour& col
         }
 }
 
+// The line as strokes that nearly meet, or as dashes; a short one as it is.
+std::vector<Path> broken(const Path& whole, const Hand& hand, Random& random) {
+    const double total = path_length(whole);
+    const bool dashed = hand.dash > 0.0 && total > 2.0 * hand.dash;
+    if (!dashed && !(total > 25.0 && hand.open > 0.0 && random.chance(hand.open))) return {whole};
+    const int count = dashed ? static_cast<int>(total / hand.dash) : random.integer(2, 4);
+    const double n = static_cast<double>(whole.size());
+    std::vector<Path> pieces;
+    double from = 0.0;
+    for (int i = 0; i < count; ++i) {
+        const double to = i + 1 == count ? 1.0 : (i + 1 + random.uniform(-0.25, 0.25)) / count;
+        const double gap = dashed ? 0.4 / count : random.uniform(-0.02, 0.07);
+        const long a = static_cast<long>(n * from),
+                   b = static_cast<long>(n * std::clamp(to - gap, from, 1.0));
+        pieces.push_back(
+            Path(whole.begin() + a, whole.begin() + std::min<long>(b, static_cast<long>(whole.size()))));
+        from = to;
+    }
+    return pieces;
+}
+
 } // namespace
 
 void ink_line(Layer& layer, const Path& line, const Hand& hand, const Colour& colour, double width,
@@ -97,13 +118,20 @@ void ink_line(Layer& layer, const Path& line, const Hand& hand, const Colour& co
         pieces = {Path(whole.begin(), whole.begin() + static_cast<long>(at)),
                   Path(whole.begin() + static_cast<long>(std::min(n - 1, at + hole)), whole.end())};
     }
+    if (hand.open > 0.0 || hand.dash > 0.0) {
+        std::vector<Path> shorter;
+        for (const Path& piece : pieces)
+            for (Path& part : broken(piece, hand, random)) shorter.push_back(std::move(part));
+        pieces = std::move(shorter);
+    }
     for (const Path& piece : pieces) {
         if (piece.size() < 2) continue;
         lay_ink(layer, by_hand(piece, hand, random), hand, colour, width, random, label);
         if (!random.chance(hand.again)) continue;
         Hand loose = hand;
         loose.wobble *= 2.0;
-        lay_ink(layer, by_hand(piece, loose, random), loose, colour, width, random, label);
+        for (int i = 0; i < hand.strokes; ++i)
+            lay_ink(layer, by_hand(piece, loose, random), loose, colour, width, random, label);
     }
 }
 
@@ -120,9 +148,11 @@ void colour_in(Layer& layer, const Grid<std::uint8_t>& where, const Box& area, c
                const Colour& colour, Random& random) {
     Grid<float> amount(area.width, area.height,
                        hand.filling == Filling::hatched ? 0.0f
+                       : hand.solid                     ? 1.0f
                                                         : static_cast<float>(random.uniform(0.6, 1.0)));
     if (hand.filling == Filling::hatched) { // to and fro with a thick crayon, a little over the border
-        const double angle = random.uniform(0.0, math::pi), pitch = hand.pen * random.uniform(0.9, 1.8),
+        const double angle = random.uniform(0.0, math::pi),
+                     pitch = hand.hatch * hand.pen * random.uniform(0.9, 1.8),
                      reach = 0.6 * (area.width + area.height);
         const Point2d along = direction(angle), across{-along.y, along.x},
                       centre{area.x + 0.5 * area.width, area.y + 0.5 * area.height};
