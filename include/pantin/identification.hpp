@@ -103,7 +103,8 @@ struct Identification {
         type; // what the reference is like, or its own name: "humanoid", "quadruped", "flying", "fish", …
     // exp(−score of the best) / Σ exp(−score) over the candidates that stand on their own (a reference that
     // is like another has that one's): with evidence the probability that the fitted model gives its decision
-    // (equal priors of the three types), else a plain soft minimum.
+    // (equal priors of the three types), times 1 − the probability of `other` where a type head has seen the
+    // picture; else a plain soft minimum.
     double confidence = 0;
     std::vector<Candidate> candidates; // from best to worst
 };

@@ -25,7 +25,9 @@ inline constexpr std::array<const char*, 8> pose_names = {"E", "NE", "N", "NW", 
 // 1. Cut: a region of the mask without ink where p < keep_probability is removed, when it is thicker than
 //    2·tolerance and at least open_share of its border lies along the outside (what the detector's closing
 //    bridged: the space between two legs), or when it is more closed, at most hole_cut_share of the mask and
-//    its mean p below hole_probability (the space between arm and body). Inked pixels stay.
+//    its mean p below hole_probability (the space between arm and body). So is, however narrow, a region
+//    between strokes (region_ink_share of its border is ink) that has region_share to hole_cut_share of the
+//    mask and whose mean p is below region_probability. Inked pixels stay.
 // 2. Fill: a region outside the mask where p ≥ fill_probability is added, when it is thicker than 2·tolerance
 //    (else it is a rim along the outline, or closes a gap between two strokes, which is taken) and at least
 //    enclosed_share of its border lies along the mask: open outlines that the detector left hollow. Were the
@@ -42,6 +44,9 @@ struct SilhouetteOptions {
     double open_share = 0.08;
     double hole_probability = 0.1;
     double hole_cut_share = 0.1;
+    double region_probability = 0.4;
+    double region_share = 0.002;
+    double region_ink_share = 0.7;
     double enclosed_share = 0.6;
     double hollow_share = 0.6;
     double ink_darkness = 0.35; // of an inked pixel, at working size
@@ -70,10 +75,11 @@ struct SegmentationOptions {
     double tilt = 20, inverse_temperature = 30;
     // When the first view, the drawing as it is, has this confidence it is the only one.
     double sufficient_confidence = 0.96;
-    // A drawing of which every view has less confidence, and whose strokes are longer than its outline by
-    // this factor, is a scribble and no character. (An outline with gaps lowers the confidence, too.)
-    // `thesis`: least_confidence 0.
-    double least_confidence = 0.895, scribble_ratio = 1.2;
+    // A drawing of which every view has less confidence, whose strokes are longer than its outline by this
+    // factor, and of which a type head, if there is one, says `other` with at least this probability, is a
+    // scribble and no character. (An outline with gaps lowers the confidence, too, and a bird with many
+    // feathers has long strokes.) `thesis`: least_confidence 0.
+    double least_confidence = 0.895, scribble_ratio = 1.2, scribble_other = 0.4;
     SilhouetteOptions silhouette;
 };
 

@@ -17,22 +17,25 @@ struct Row {
 };
 
 // Score = graph_weight · divided distance + prior + Σ weight · trait, one row per type; smaller is better.
-constexpr double graph_weight = 3.110;
-// The type head's probability p adds −seen_weight · ln(p + seen_floor): however sure it is, it can be
-// overruled.
-constexpr double seen_weight = 1.0, seen_floor = 0.02;
+constexpr double graph_weight = 1.318;
 constexpr std::array<Row, 3> table = {{
     {"humanoid",
-     2.726,
-     {-2.135, 1.343, 0.670, -0.264, -1.540, 1.154, -2.932, -0.577, -1.996, -0.492, 0.950, -1.844, -1.967,
-      -1.648}},
+     3.582,
+     {-1.069, 0.180, -0.013, -1.347, -4.036, 0.559, -1.790, 0.408, -1.285, -0.511, 0.366, -1.321, -3.841,
+      -0.170}},
     {"quadruped",
-     -0.999,
-     {1.882, 1.613, -0.174, -3.280, 0.290, -1.664, -1.208, 0.916, 1.815, -0.909, 2.124, 2.710, 1.377, 0.772}},
+     -2.984,
+     {1.949, 2.389, 0.693, -3.719, 1.951, -2.201, -0.534, 1.735, 0.543, -1.111, 2.530, 3.920, 1.363, 0.942}},
     {"flying",
-     -1.726,
-     {0.253, -2.956, -0.497, 3.545, 1.250, 0.510, 4.140, -0.339, 0.181, 1.400, -3.074, -0.866, 0.590, 0.876}},
+     -0.597,
+     {-0.880, -2.570, -0.680, 5.066, 2.084, 1.642, 2.323, -2.143, 0.742, 1.622, -2.896, -2.599, 2.478,
+      -0.772}},
 }};
+
+// Where the network's type head has seen the picture, its probability p adds −seen_weight · ln(p +
+// seen_floor): however sure it is, it can be overruled. It knows much of what the rest of the evidence says,
+// which then counts rest_weight times (tools/identification/fit_seen.py).
+constexpr double seen_weight = 1.333, seen_floor = 0.02, rest_weight = 0.412;
 
 const Row* find_row(const std::string& type) {
     const auto row =
@@ -55,6 +58,7 @@ std::vector<std::pair<std::string, double>> evidence_terms(const std::string& ty
     if (seen) {
         const auto index = std::find(type_names.begin(), type_names.end(), type) - type_names.begin();
         const double probability = (*seen)[static_cast<std::size_t>(index)];
+        for (auto& [name, contribution] : terms) contribution *= rest_weight;
         terms.emplace_back("seen", -seen_weight * math::log(probability + seen_floor));
     }
     return terms;

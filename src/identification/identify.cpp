@@ -250,8 +250,10 @@ Candidate dependent_candidate(const LabelledGraph& drawn, const Observations& ob
 }
 
 // Type and confidence of the reference that was chosen.
+// A character that the network takes for none of the types has little, whatever it is nearest to.
 void describe(Identification& result, const ReferenceSkeleton& chosen,
-              const std::vector<Candidate>& independent) {
+              const std::vector<Candidate>& independent, const IdentificationOptions& options,
+              const TypeProbabilities& seen) {
     if (stands_alone(chosen)) {
         result.type = has_evidence(chosen.name) ? chosen.name : type_of(chosen);
         const auto own = std::find_if(independent.begin(), independent.end(),
@@ -262,6 +264,7 @@ void describe(Identification& result, const ReferenceSkeleton& chosen,
         const Candidate* model = model_of(chosen, independent);
         result.confidence = model ? confidence_of(*model, independent) : 0;
     }
+    if (seen && with_evidence(options) && chosen.like != "any") result.confidence *= 1 - seen->back();
 }
 
 } // namespace
@@ -288,7 +291,7 @@ Identification identify(const SkeletonGraph& graph, const LabelMap& labels,
     sort_by_score(result.candidates);
     // The best one, unless the options decide.
     result.reference = options.reference.empty() ? result.candidates.front().reference : options.reference;
-    describe(result, named(references, result.reference), independent);
+    describe(result, named(references, result.reference), independent, options, seen);
     return result;
 }
 

@@ -67,11 +67,15 @@ template <class Visitor> void visit_segmentation(SegmentationOptions& o, Visitor
     visit("segmentation.sufficient_confidence", o.sufficient_confidence, 0, 2);
     visit("segmentation.least_confidence", o.least_confidence, 0, 1);
     visit("segmentation.scribble_ratio", o.scribble_ratio, 0, 1000);
+    visit("segmentation.scribble_other", o.scribble_other, 0, 1);
     visit("segmentation.fill_probability", o.silhouette.fill_probability, 0, 1);
     visit("segmentation.keep_probability", o.silhouette.keep_probability, 0, 1);
     visit("segmentation.open_share", o.silhouette.open_share, 0, 1);
     visit("segmentation.hole_probability", o.silhouette.hole_probability, 0, 1);
     visit("segmentation.hole_cut_share", o.silhouette.hole_cut_share, 0, 1);
+    visit("segmentation.region_probability", o.silhouette.region_probability, 0, 1);
+    visit("segmentation.region_share", o.silhouette.region_share, 0, 1);
+    visit("segmentation.region_ink_share", o.silhouette.region_ink_share, 0, 1);
     visit("segmentation.enclosed_share", o.silhouette.enclosed_share, 0, 1);
     visit("segmentation.hollow_share", o.silhouette.hollow_share, 0, 1);
     visit("segmentation.ink_darkness", o.silhouette.ink_darkness, 0, 1);

@@ -26,14 +26,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Thesis 4.3 takes every drawing for a character; a scribble has no part that the network is sure of.
-void reject_scribble(const Segmentation& s, const SegmentationOptions& options) {
-    if (s.router.empty() || s.confidence >= options.least_confidence ||
-        s.stroke_ratio <= options.scribble_ratio)
-        return;
-    throw CharacterRejected("segment",
-                            "looks like a scribble: many strokes, and no part that the network is sure of");
+// Thesis 4.3 takes every drawing for a character; a scribble has no part that the network is sure of, and is
+// none of the types.
+bool is_scribble(const Segmentation& s, const SegmentationOptions& options) {
+    return !s.router.empty() && s.confidence < options.least_confidence &&
+           s.stroke_ratio > options.scribble_ratio && (!s.type || s.type->back() >= options.scribble_other);
 }
+
+constexpr const char* scribble_text =
+    "looks like a scribble: many strokes, and no part that the network is sure of";
 
 // Steps `first` to `last` on a character that has the products of the steps before. CharacterRejected says
 // why it cannot go on. `progress` is told of each step.
@@ -56,7 +57,10 @@ void run_steps(Character& c, const fs::path& folder, Step first, Step last, Cont
         save_segmentation(folder, c.segmentation, settings.trace);
         c.reached = Step::segment;
         // The files are there: whoever knows better corrects labels.png and goes on with the next step.
-        if (settings.overrides.reference.empty()) reject_scribble(c.segmentation, options.segmentation);
+        if (is_scribble(c.segmentation, options.segmentation)) {
+            if (settings.overrides.reference.empty()) throw CharacterRejected("segment", scribble_text);
+            context.notice(folder.string() + ": " + scribble_text);
+        }
     }
 
     // Step 3 (4.4): the Voronoi skeleton of the silhouette as a labelled graph.

@@ -70,6 +70,27 @@ Mask cut_bridged_gaps(const Mask& mask, const Grid<float>& foreground, const Mas
         mask, [&](int x, int y) { return mask(x, y) && !cut[static_cast<std::size_t>(regions.ids(x, y))]; });
 }
 
+// Regions that strokes bound, and the network takes for paper as a whole: between legs, however narrow.
+Mask paper_regions(const Mask& mask, const Grid<float>& foreground, const Mask& inked,
+                   const SilhouetteOptions& options) {
+    const Components regions =
+        connected_components(where(mask, [&](int x, int y) { return mask(x, y) && !inked(x, y); }));
+    const auto whole = static_cast<double>(area(mask));
+    const auto takes_for_paper = [&](const Component& region) {
+        return region.area >= options.region_share * whole && region.area <= options.hole_cut_share * whole &&
+               share_along(regions, region, inked) >= options.region_ink_share &&
+               mean(regions, region, foreground) < options.region_probability;
+    };
+    std::vector<char> paper(regions.list.size() + 1, 0);
+    for (const Component& region : regions.list)
+        paper[static_cast<std::size_t>(region.id)] = takes_for_paper(region);
+    return where(mask, [&](int x, int y) { return paper[static_cast<std::size_t>(regions.ids(x, y))] != 0; });
+}
+
+Mask without(const Mask& mask, const Mask& removed) {
+    return where(mask, [&](int x, int y) { return mask(x, y) && !removed(x, y); });
+}
+
 // --- fill ------------------------------------------------------------------------------------------------
 
 // The mask with the regions that are at least that enclosed, and gaps between strokes.
@@ -196,11 +217,13 @@ Mask decide_silhouette(const Mask& detected, const Grid<float>& foreground, cons
     const double longer_side = std::max(detected.width(), detected.height());
     const double radius = std::max(1.0, options.tolerance * longer_side);
     const Mask inked = where(detected, [&](int x, int y) { return ink(x, y) >= options.ink_darkness; });
-    Mask mask = cut_bridged_gaps(detected, foreground, inked, options, radius);
+    const Mask paper = paper_regions(detected, foreground, inked, options);
+    Mask mask = without(cut_bridged_gaps(detected, foreground, inked, options, radius), paper);
     mask = fill_open_outlines(mask, foreground, options, radius);
     mask = join_pieces(mask, options, longer_side, radius);
     mask = fill_holes(mask, static_cast<long>(options.hole_share * static_cast<double>(area(mask))));
-    return largest_component(trim_rim(smooth(mask), foreground, options, longer_side));
+    // What fills small holes and rounds the outline does not close the way between two legs.
+    return largest_component(trim_rim(without(smooth(mask), paper), foreground, options, longer_side));
 }
 
 } // namespace pantin::segmentation

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: MIT
 """Fits the constants of src/identification/evidence.cpp and judges them by five folds.
 
-usage: fit_evidence.py TABLE.tsv... [--ridge R] [--wrong] [--judge OTHER.tsv]
+usage: fit_evidence.py TABLE.tsv... [--groups LABELLED.ndjson] [--ridge R] [--wrong] [--judge OTHER.tsv]
 TABLE.tsv: written by build/release/evaluate_identification. A drawing counts when its quality is at least 2 and it has
-limbs or wings, tails alone do not identify anything; the fold of a drawing follows from its id. Fitted on four folds, reported on
+limbs or wings, tails alone do not identify anything; the fold of a drawing follows from its id, or from its group (all drawings of one
+person) in the records of --groups. Fitted on four folds, reported on
 the fifth: the confusion matrix of the three types beside the literal and the divided distance and two baselines without a
 graph (wing -> flying, else quadruped; a regression on 11 label numbers). Then fitted on all and printed as the table of the source.
 --judge: instead, the drawings of fold 0 in another table (the labels of the pipeline) by the program's answer and the two baselines,
@@ -16,6 +17,7 @@ exp(-score): multinomial logistic regression, with a ridge on the weights of the
 import argparse
 import csv
 import hashlib
+import json
 import os
 import sys
 
@@ -29,7 +31,12 @@ from labels import NAMES  # noqa: E402
 PARTS = NAMES[1:]
 
 
+GROUPS = {}                                          # drawing -> group
+
+
 def fold(drawing_id):
+    if drawing_id in GROUPS:
+        return hashlib.sha1(GROUPS[drawing_id].encode()).digest()[0] % 5
     return hashlib.sha1(drawing_id.encode()).digest()[1] % 5
 
 
@@ -124,7 +131,10 @@ def main():
     parser.add_argument("--ridge", type=float, default=2)
     parser.add_argument("--wrong", action="store_true", help="list the drawings decided wrongly")
     parser.add_argument("--judge", help="a table of fold 0 made from other labels")
+    parser.add_argument("--groups", help="records with an id and a group")
     o = parser.parse_args()
+    if o.groups:
+        GROUPS.update((r["id"], r["group"]) for r in map(json.loads, open(o.groups)))
     rows = read(o.tables)
     if o.judge:
         return judge(rows, o.judge, o.ridge)

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Training data: precomputed shards of (darkness, labels) pairs, and the augmentation that the training loop adds.
 
-usage: dataset.py DATA OUT --source {label_maps,strokes,more,spg,doodle,people,others,things} [--rounds N] [--seed S]
-DATA is the folder of the real drawings (its README describes it); for doodle, people (its humanoids), others (fish, insects) and things the folder that tools/doodle wrote. Writes OUT/<source>_<k>.npy, uint8 (n, 2, 320, 320): darkness
+usage: dataset.py DATA OUT --source {label_maps,strokes,more,spg,doodle,people,others,scribbles,things} [--rounds N] [--seed S]
+DATA is the folder of the real drawings (its README describes it); for doodle, people (its humanoids), others (fish, insects), scribbles and things the folder that tools/doodle wrote. Writes OUT/<source>_<k>.npy, uint8 (n, 2, 320, 320): darkness
 (0 paper, 255 ink) and part labels (255: not judged), and OUT/<source>_<k>.json with expert, pose and type of each.
 Drawings of fold 0 (DATA/split.py, held_out) never get in; those of more-labelled.ndjson are split by their group, and --without SOURCE
 leaves all of one origin out.
@@ -167,7 +167,7 @@ def from_doodle(folder, rng, rounds):
 
 
 SOURCES = {"label_maps": from_label_maps, "strokes": from_strokes, "more": from_more, "spg": from_spg, "doodle": from_doodle, "people": from_doodle,
-           "others": from_doodle, "things": from_doodle}
+           "others": from_doodle, "scribbles": from_doodle, "things": from_doodle}
 
 
 def write_shards(out, source, samples, shard=250):
@@ -218,7 +218,7 @@ class Shards:
 
 
 def example(shards, rng):
-    """of the segmenter: of a thing the type alone is judged."""
+    """of the segmenter: of things and scribbles the type alone is judged."""
     ink, labels, expert, pose, kind = shards.draw(rng)
     if expert in (GROUND, WINGED) and labels.any():
         return ink, labels, expert, pose, kind

@@ -114,6 +114,7 @@ def run_pantin(binary, image):
         answer = cv2.imread(f"{place}/labels.png", cv2.IMREAD_GRAYSCALE)
         labels[y:y + h, x:x + w] = cv2.resize(answer, (w, h), interpolation=cv2.INTER_NEAREST)
         facts = json.load(open(f"{place}/segmentation.json"))
+        facts["head"] = facts.pop("type", None)
         if step("skeletonize", place) and step("identify", place):
             facts["identification"] = json.load(open(f"{place}/identification.json"))
             facts["type"] = facts["identification"]["type"]

@@ -15,7 +15,7 @@ import export
 import loop
 from model import EXPERTS, INPUT, LABELS, Segmenter, widen
 
-SHARES = {"label_maps": 0.27, "strokes": 0.16, "more": 0.25, "spg": 0.08, "doodle": 0.24, "others": 0.02, "things": 0.02}
+SHARES = {"label_maps": 0.22, "strokes": 0.12, "more": 0.3, "spg": 0.05, "doodle": 0.26, "others": 0.02, "things": 0.02, "scribbles": 0.01}
 IGNORE = dataset.UNKNOWN
 
 
