@@ -17,25 +17,25 @@ struct Row {
 };
 
 // Score = graph_weight · divided distance + prior + Σ weight · trait, one row per type; smaller is better.
-constexpr double graph_weight = 1.318;
+constexpr double graph_weight = 2.262;
 constexpr std::array<Row, 3> table = {{
     {"humanoid",
-     3.582,
-     {-1.069, 0.180, -0.013, -1.347, -4.036, 0.559, -1.790, 0.408, -1.285, -0.511, 0.366, -1.321, -3.841,
-      -0.170}},
+     3.170,
+     {-1.129, 0.505, 0.165, -0.472, -2.731, 1.371, -0.903, -0.157, -1.517, -0.513, 0.560, -2.417, -2.486,
+      -0.581}},
     {"quadruped",
-     -2.984,
-     {1.949, 2.389, 0.693, -3.719, 1.951, -2.201, -0.534, 1.735, 0.543, -1.111, 2.530, 3.920, 1.363, 0.942}},
+     -2.145,
+     {2.015, 2.472, 0.302, -4.469, 1.777, -3.022, 0.206, 2.050, 0.569, -0.989, 2.330, 4.069, 1.198, 0.692}},
     {"flying",
-     -0.597,
-     {-0.880, -2.570, -0.680, 5.066, 2.084, 1.642, 2.323, -2.143, 0.742, 1.622, -2.896, -2.599, 2.478,
-      -0.772}},
+     -1.025,
+     {-0.886, -2.977, -0.466, 4.941, 0.954, 1.650, 0.697, -1.893, 0.948, 1.503, -2.890, -1.652, 1.287,
+      -0.111}},
 }};
 
 // Where the network's type head has seen the picture, its probability p adds −seen_weight · ln(p +
 // seen_floor): however sure it is, it can be overruled. It knows much of what the rest of the evidence says,
 // which then counts rest_weight times (tools/identification/fit_seen.py).
-constexpr double seen_weight = 1.333, seen_floor = 0.02, rest_weight = 0.412;
+constexpr double seen_weight = 1.38, seen_floor = 0.02, rest_weight = 0.44;
 
 const Row* find_row(const std::string& type) {
     const auto row =

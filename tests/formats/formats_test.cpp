@@ -10,6 +10,7 @@
 #include "formats/identification_file.hpp"
 #include "formats/mapping_file.hpp"
 #include "formats/page_file.hpp"
+#include "formats/segmentation_file.hpp"
 #include "formats/skeleton_file.hpp"
 #include "formats/voronoi_file.hpp"
 #include "formats/weights_file.hpp"
@@ -175,6 +176,19 @@ TEST_CASE("An identification survives the way to JSON and back", "[pipeline]") {
     CHECK(damaged("\"quadruped\"", "\"dragon\"") == "i.json: reference: is none of the candidates");
     CHECK(damaged("\"mirrored\": true", "\"mirrored\": 1") ==
           "i.json: candidates[0].mirrored: must be true or false");
+}
+
+TEST_CASE("What the type head has seen survives the way to JSON and back", "[pipeline]") {
+    Segmentation segmentation;
+    segmentation.router = {{"ground", 1.0}};
+    CHECK_FALSE(type_probabilities_from_json(segmentation_to_json(segmentation), "s.json"));
+    segmentation.type = {0.125, 0.5, 0.25, 0.125};
+    const std::string text = segmentation_to_json(segmentation);
+    CHECK(type_probabilities_from_json(text, "s.json") == segmentation.type);
+    std::string damaged = text;
+    damaged.replace(damaged.find("\"flying\""), 8, "\"floats\"");
+    CHECK(message_of([&] { type_probabilities_from_json(damaged, "s.json"); }) ==
+          "s.json: type: misses \"flying\"");
 }
 
 TEST_CASE("A page survives the way to JSON and back, and its folders lie below it", "[pipeline]") {

@@ -96,6 +96,28 @@ TEST_CASE("candidates are sorted, complete and account for their score") {
     CHECK(found.confidence == Approx(1 / sum));
 }
 
+TEST_CASE("what the type head has seen is a part of the evidence, and can be overruled") {
+    const LabelMap labels = paint(250, 200, figures::quadruped());
+    const SkeletonGraph graph = skeletonize(labels).graph;
+    const auto with = [&](const std::array<double, 4>& seen, const IdentificationOptions& options = {}) {
+        return identify(graph, labels, load_references(), options, TypeProbabilities(seen));
+    };
+    const Identification sure = with({0.01, 0.98, 0.01, 0}), doubtful = with({0.3, 0.4, 0.3, 0});
+    CHECK(sure.type == "quadruped");
+    CHECK(sure.confidence > doubtful.confidence);
+    CHECK(sure.candidates[0].evidence.back().first == "seen");
+    double sum = 0;
+    for (const auto& [name, contribution] : sure.candidates[0].evidence) sum += contribution;
+    CHECK(sum == Approx(sure.candidates[0].score));
+    CHECK(with({0.3, 0.25, 0.45, 0}).type == "quadruped"); // the parts overrule a weak opinion …
+    // … and what is none of the types has little confidence, whatever it is nearest to.
+    CHECK(with({0.003, 0.294, 0.003, 0.7}).confidence < 0.31);
+    IdentificationOptions thesis;
+    thesis.thesis_score = true;
+    CHECK(with({0.98, 0.01, 0.01, 0}, thesis).candidates[0].score ==
+          identify(graph, labels, load_references(), thesis).candidates[0].score);
+}
+
 TEST_CASE("what cannot move is rejected with a reason") {
     using figures::Stroke;
     const Stroke head{Label::head, {60, 60}, {60, 90}, 30};
@@ -130,7 +152,7 @@ TEST_CASE("more wing speaks for flying, a lower head against a human, two raised
     Traits traits{};
     const auto score = [&traits](const std::string& type) {
         double sum = 0;
-        for (const auto& [name, contribution] : evidence_terms(type, 1, traits)) sum += contribution;
+        for (const auto& [name, contribution] : evidence_terms(type, 1, traits, {})) sum += contribution;
         return sum;
     };
     const auto advantage = [&](Trait trait, double value, const std::string& type, const std::string& other) {
@@ -149,7 +171,8 @@ TEST_CASE("more wing speaks for flying, a lower head against a human, two raised
     CHECK(advantage(Trait::low_limb_pieces, 1, "quadruped", "humanoid") > 0);
     CHECK(score("quadruped") < [&] { // a smaller distance is better for every type
         double sum = 0;
-        for (const auto& [name, contribution] : evidence_terms("quadruped", 1.5, traits)) sum += contribution;
+        for (const auto& [name, contribution] : evidence_terms("quadruped", 1.5, traits, {}))
+            sum += contribution;
         return sum;
     }());
 }

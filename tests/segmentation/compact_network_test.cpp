@@ -60,6 +60,7 @@ TEST_CASE("The segmentation network computes what PyTorch computes") {
         const NetworkResult result = net.forward(ink, Runtime(), static_cast<int>(expert));
         CHECK(largest_difference(result.router, tensor_of(expected, "router")) < 1e-4);
         CHECK(largest_difference(result.pose, tensor_of(expected, "pose")) < 1e-4);
+        CHECK(largest_difference(result.type, tensor_of(expected, "type")) < 1e-4);
         const Tensor parts = tensor_of(expected, "probabilities." + net.expert_names[expert]);
         CHECK(largest_difference(result.parts, parts) < 1e-4);
     }
@@ -78,6 +79,7 @@ TEST_CASE("The network's bits depend neither on threads nor on the instruction s
             const NetworkResult result = net.forward(ink, Runtime(threads, simd));
             CHECK(same_bits(result.router, first.router));
             CHECK(same_bits(result.pose, first.pose));
+            CHECK(same_bits(result.type, first.type));
             CHECK(same_bits(result.parts, first.parts));
         }
     }
@@ -89,6 +91,14 @@ TEST_CASE("The router chooses the more probable expert") {
     REQUIRE(result.router.channels() == 2);
     CHECK(result.expert == (result.router(0, 1, 0, 0) > result.router(0, 0, 0, 0) ? 1 : 0));
     CHECK(result.router(0, 0, 0, 0) + result.router(0, 1, 0, 0) == Approx(1));
+}
+
+TEST_CASE("A weight file without a type head says nothing of the type") {
+    const Bytes older = with_header_text("\"types\"", "\"notes\"");
+    const auto network = load_network(WeightFile(older, "older"));
+    const Tensor ink(1, 1, network->input, network->input);
+    CHECK(network->forward(ink, Runtime()).type.size() == 0);
+    CHECK(network->forward(ink, Runtime()).router.size() == 2);
 }
 
 TEST_CASE("A weight file for another network is refused with the fact") {
@@ -108,6 +118,9 @@ TEST_CASE("A weight file for another network is refused with the fact") {
     CHECK(failure(with_header_text("\"48\"", "\"50\"")) == "w: metadata 'input' is no multiple of 16");
     CHECK(failure(with_header_text("ground,winged", "ground,finned")) ==
           "w: tensor 'experts.finned.logits.weight' is missing");
+    CHECK(failure(with_header_text("quadruped,flying", "flying,quadruped")) ==
+          "w: metadata 'types' is 'humanoid,flying,quadruped,other', not "
+          "'humanoid,quadruped,flying,other'");
     CHECK(failure(Bytes(weights().begin(), weights().end() - 1)).rfind("w: tensor '", 0) == 0);
     CHECK(failure({}) == "w: the weight file is empty");
 }

@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: MIT
 """Fits the constants of src/identification/evidence.cpp and judges them by five folds.
 
-usage: fit_evidence.py TABLE.tsv... [--groups LABELLED.ndjson] [--ridge R] [--wrong] [--judge OTHER.tsv]
+usage: fit_evidence.py TABLE.tsv... [--groups LABELLED.ndjson] [--ridge R] [--keep-out FOLD] [--wrong] [--judge OTHER.tsv]
 TABLE.tsv: written by build/release/evaluate_identification. A drawing counts when its quality is at least 2 and it has
 limbs or wings, tails alone do not identify anything; the fold of a drawing follows from its id, or from its group (all drawings of one
 person) in the records of --groups. Fitted on four folds, reported on
 the fifth: the confusion matrix of the three types beside the literal and the divided distance and two baselines without a
-graph (wing -> flying, else quadruped; a regression on 11 label numbers). Then fitted on all and printed as the table of the source.
+graph (wing -> flying, else quadruped; a regression on 11 label numbers). Then fitted on all, or all but one fold (--keep-out), and
+printed as the table of the source. Each type weighs the same, and within it each folder of the tables, so that the largest set of drawings
+does not decide alone.
 --judge: instead, the drawings of fold 0 in another table (the labels of the pipeline) by the program's answer and the two baselines,
 which are fitted on the other folds of the tables. A drawing counts there when it does in the tables.
 
@@ -100,6 +102,20 @@ def confusion(title, truth, found, counts):
         print(f"    {TYPES[k]:10s}" + "".join(f"{v:5d}" for v in matrix[k]))
 
 
+def weights_of(rows, truth):
+    """each type the same, within it each folder that has a few of it, within that each drawing."""
+    folders = np.array([r["folder"] for r in rows])
+    weight = np.zeros(len(rows))
+    for kind in range(3):
+        of_kind = truth == kind
+        sets = [of_kind & (folders == f) for f in sorted(set(folders))]
+        large = [s for s in sets if s.sum() >= 20] or [of_kind]
+        for members in large:
+            weight[members] = len(rows) / 3 / len(large) / members.sum()
+        weight[of_kind & (weight == 0)] = len(rows) / 3 / of_kind.sum()
+    return weight
+
+
 def label_numbers_of(rows):
     numbers = np.array([[int(r[p]) for p in PARTS] for r in rows], float)
     share = numbers / np.maximum(1, numbers.sum(1, keepdims=True))
@@ -129,6 +145,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("tables", nargs="+")
     parser.add_argument("--ridge", type=float, default=2)
+    parser.add_argument("--keep-out", type=int, default=-1, help="of the printed constants: a fold that they do not see")
     parser.add_argument("--wrong", action="store_true", help="list the drawings decided wrongly")
     parser.add_argument("--judge", help="a table of fold 0 made from other labels")
     parser.add_argument("--groups", help="records with an id and a group")
@@ -149,8 +166,7 @@ def main():
     traits = np.array([[float(r[k] or 0) if r["status"] == "ok" else 0 for k in names] for r in rows])
     graph = np.array([[float(r["ggd_" + t]) if r["status"] == "ok" else 0 for t in TYPES] for r in rows])
     share, label_numbers = label_numbers_of(rows)
-    # Each type weighs the same, and within it each drawing.
-    weight = len(rows) / 3 / np.bincount(truth, minlength=3)[truth]
+    weight = weights_of(rows, truth)
     forms = {"literal (thesis)": [], "divided distance": [], "wing -> flying, else quadruped": [], "regression on 11 label numbers": [],
              "traits alone": [], "graph and traits": []}
     found = {k: np.full(len(rows), 3) for k in forms}
@@ -173,7 +189,9 @@ def main():
         for i, r in enumerate(rows):
             if found["graph and traits"][i] != truth[i]:
                 print(r["folder"], r["id"], r["class"], r["type"], "->", (TYPES + ["rejected"])[found["graph and traits"][i]])
-    g, prior, w = fit(traits[ok], graph[ok], truth[ok], weight[ok], o.ridge)
+    kept = ok & (folds != o.keep_out)
+    weight = weights_of([r for r, k in zip(rows, kept) if k], truth[kept])
+    g, prior, w = fit(traits[kept], graph[kept], truth[kept], weight, o.ridge)
     # Only differences between types matter: centre them, so that a positive weight speaks against a type.
     prior, w = prior - prior.mean(), w - w.mean(0)
     print(f"\nconstexpr double graph_weight = {g:.3f};\nconstexpr std::array<Row, 3> table = {{{{")

@@ -3,8 +3,8 @@
 """Pages of several characters for the detector, composed from the shards of dataset.py: random place, size and rotation, never overlapping,
 with stray marks, ruled lines and the look of a photograph at times.
 
-usage: pages.py DATA OUT [--count 200] [--clean | --things SHARDS] [--erase 0.0] [--seed 1]
-writes a dataset for `pantin evaluate` from the held-out drawings (fold 0), at 1.7 times the training size. --clean: one character, upright,
+usage: pages.py DATA OUT [--count 200] [--clean | --things SHARDS] [--more] [--erase 0.0] [--seed 1]
+writes a dataset for `pantin evaluate` from the held-out drawings (fold 0; --more: those of more-labelled.ndjson alone, else without them), at 1.7 times the training size. --clean: one character, upright,
 on white paper. --things: pages of scenes.py, with the things of these shards around the characters.
 """
 import argparse
@@ -124,9 +124,10 @@ def compose(shards, rng, longer=LONGER, clean=False):
 class HeldOut:
     """the drawings of fold 0, drawn as by the shared scripts."""
 
-    def __init__(self, data, erase):
+    def __init__(self, data, erase, more):
         import evaluate
-        self.drawings = [d for d in evaluate.held_out_drawings(data, 0, erase) if np.isin(d.truth, (3, 5)).any()]
+        self.drawings = [d for d in evaluate.held_out_drawings(data, 0, erase)
+                         if np.isin(d.truth, (3, 5)).any() and d.group.startswith("more") == more]
 
     def draw(self, rng):
         d = self.drawings[int(rng.integers(len(self.drawings)))]
@@ -140,10 +141,11 @@ def main():
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--clean", action="store_true")
     parser.add_argument("--things")
+    parser.add_argument("--more", action="store_true")
     parser.add_argument("--erase", type=float, default=0.0)
     parser.add_argument("--seed", type=int, default=1)
     args = parser.parse_args()
-    rng, drawings = np.random.default_rng(args.seed), HeldOut(args.data, args.erase)
+    rng, drawings = np.random.default_rng(args.seed), HeldOut(args.data, args.erase, args.more)
     if args.things:
         import scenes
         things = scenes.Things(args.things)
