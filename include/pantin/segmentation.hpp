@@ -25,9 +25,9 @@ inline constexpr std::array<const char*, 8> pose_names = {"E", "NE", "N", "NW", 
 // 1. Cut: a region of the mask without ink where p < keep_probability is removed, when it is thicker than
 //    2·tolerance and at least open_share of its border lies along the outside (what the detector's closing
 //    bridged: the space between two legs), or when it is more closed, at most hole_cut_share of the mask and
-//    its mean p below hole_probability (the space between arm and body). So is, however narrow, a region
-//    between strokes (region_ink_share of its border is ink) that has region_share to hole_cut_share of the
-//    mask and whose mean p is below region_probability. Inked pixels stay.
+//    its mean p below hole_probability (the space between arm and body). A narrower region without ink is
+//    removed when it lies between strokes (region_ink_share of its border is ink), has region_share of the
+//    mask, and its mean p is below region_probability (the space between two legs). Inked pixels stay.
 // 2. Fill: a region outside the mask where p ≥ fill_probability is added, when it is thicker than 2·tolerance
 //    (else it is a rim along the outline, or closes a gap between two strokes, which is taken) and at least
 //    enclosed_share of its border lies along the mask: open outlines that the detector left hollow. Were the

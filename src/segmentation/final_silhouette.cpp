@@ -70,20 +70,23 @@ Mask cut_bridged_gaps(const Mask& mask, const Grid<float>& foreground, const Mas
         mask, [&](int x, int y) { return mask(x, y) && !cut[static_cast<std::size_t>(regions.ids(x, y))]; });
 }
 
-// Regions that strokes bound, and the network takes for paper as a whole: between legs, however narrow.
-Mask paper_regions(const Mask& mask, const Grid<float>& foreground, const Mask& inked,
-                   const SilhouetteOptions& options) {
-    const Components regions =
-        connected_components(where(mask, [&](int x, int y) { return mask(x, y) && !inked(x, y); }));
-    const auto whole = static_cast<double>(area(mask));
-    const auto takes_for_paper = [&](const Component& region) {
-        return region.area >= options.region_share * whole && region.area <= options.hole_cut_share * whole &&
-               share_along(regions, region, inked) >= options.region_ink_share &&
-               mean(regions, region, foreground) < options.region_probability;
-    };
-    std::vector<char> paper(regions.list.size() + 1, 0);
-    for (const Component& region : regions.list)
-        paper[static_cast<std::size_t>(region.id)] = takes_for_paper(region);
+// Narrow regions between strokes that the network takes for paper as a whole: between two legs.
+Mask narrow_paper(const Mask& mask, const Grid<float>& foreground, const Mask& inked,
+                  const SilhouetteOptions& options, double radius) {
+    const Mask empty = where(mask, [&](int x, int y) { return mask(x, y) && !inked(x, y); });
+    const Components regions = connected_components(empty);
+    const Mask thick = open_disc(empty, radius);
+    std::vector<char> paper(regions.list.size() + 1, 1);
+    for (std::size_t i = 0; i < thick.size(); ++i)
+        if (thick.data()[i]) paper[static_cast<std::size_t>(regions.ids.data()[i])] = 0;
+    paper[0] = 0;
+    const double least = options.region_share * static_cast<double>(area(mask));
+    for (const Component& region : regions.list) {
+        char& decision = paper[static_cast<std::size_t>(region.id)];
+        decision = decision && region.area >= least &&
+                   share_along(regions, region, inked) >= options.region_ink_share &&
+                   mean(regions, region, foreground) < options.region_probability;
+    }
     return where(mask, [&](int x, int y) { return paper[static_cast<std::size_t>(regions.ids(x, y))] != 0; });
 }
 
@@ -217,7 +220,7 @@ Mask decide_silhouette(const Mask& detected, const Grid<float>& foreground, cons
     const double longer_side = std::max(detected.width(), detected.height());
     const double radius = std::max(1.0, options.tolerance * longer_side);
     const Mask inked = where(detected, [&](int x, int y) { return ink(x, y) >= options.ink_darkness; });
-    const Mask paper = paper_regions(detected, foreground, inked, options);
+    const Mask paper = narrow_paper(detected, foreground, inked, options, radius);
     Mask mask = without(cut_bridged_gaps(detected, foreground, inked, options, radius), paper);
     mask = fill_open_outlines(mask, foreground, options, radius);
     mask = join_pieces(mask, options, longer_side, radius);
