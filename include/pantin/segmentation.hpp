@@ -75,11 +75,12 @@ struct SegmentationOptions {
     double tilt = 20, inverse_temperature = 30;
     // When the first view, the drawing as it is, has this confidence it is the only one.
     double sufficient_confidence = 0.96;
-    // A drawing of which every view has less confidence, whose strokes are longer than its outline by this
-    // factor, and of which a type head, if there is one, says `other` with at least this probability, is a
-    // scribble and no character. (An outline with gaps lowers the confidence, too, and a bird with many
-    // feathers has long strokes.) `thesis`: least_confidence 0.
-    double least_confidence = 0.895, scribble_ratio = 1.2, scribble_other = 0.4;
+    // A scribble, and no character: its strokes are longer than its outline by scribble_ratio; every view has
+    // less confidence than least_confidence, or one part, not the head, is scribble_part of the figure; and a
+    // type head, if there is one, says `other` with scribble_other. (An outline with gaps lowers the
+    // confidence, too, a bird with many feathers has long strokes, and a fish is none of the types.) Without
+    // a type head the confidence alone decides. `thesis`: nothing is a scribble.
+    double least_confidence = 0.895, scribble_ratio = 1.2, scribble_other = 0.7, scribble_part = 0.9;
     SilhouetteOptions silhouette;
 };
 

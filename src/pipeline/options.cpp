@@ -68,6 +68,7 @@ template <class Visitor> void visit_segmentation(SegmentationOptions& o, Visitor
     visit("segmentation.least_confidence", o.least_confidence, 0, 1);
     visit("segmentation.scribble_ratio", o.scribble_ratio, 0, 1000);
     visit("segmentation.scribble_other", o.scribble_other, 0, 1);
+    visit("segmentation.scribble_part", o.scribble_part, 0, 1);
     visit("segmentation.fill_probability", o.silhouette.fill_probability, 0, 1);
     visit("segmentation.keep_probability", o.silhouette.keep_probability, 0, 1);
     visit("segmentation.open_share", o.silhouette.open_share, 0, 1);
@@ -250,7 +251,8 @@ Options make_preset(std::string_view name) {
     options.detection.flatten_sheet = false; // 4.2: the picture as it is
     options.segmentation.mirror = false;     // 4.3: one view of the drawing
     options.segmentation.tilt = 0;
-    options.segmentation.least_confidence = 0;        // 4.3: whatever was detected is a character
+    options.segmentation.least_confidence = 0; // 4.3: whatever was detected is a character
+    options.segmentation.scribble_ratio = 1000;
     options.segmentation.silhouette.rim = 0;          // 4.2: the detector's mask
     options.skeletonization.residual = Residual::arc; // 3.4, ERRATA 1
     options.skeletonization.recover_parts_share = 0;
