@@ -100,7 +100,9 @@ TEST_CASE("Every JSON file has the documented keys in their order", "[cli][end-t
     }
     for (const fs::path& folder : demo_characters()) {
         const Json segmentation = json_of(folder / "segmentation.json");
-        CHECK(keys_of(segmentation) == Keys{"expert", "router", "sureness", "stroke_ratio", "pose", "areas"});
+        CHECK(keys_of(segmentation) ==
+              Keys{"expert", "router", "sureness", "stroke_ratio", "pose", "type", "areas"});
+        CHECK(keys_of(segmentation["type"]) == Keys{"humanoid", "quadruped", "flying", "other"});
         CHECK(keys_of(segmentation["areas"]) == Keys{"background", "head", "body", "limb", "tail", "wing"});
         CHECK(keys_of(segmentation["pose"]) == Keys{"E", "NE", "N", "NW", "W", "SW", "S", "SE"});
         const Json contour = json_of(folder / "contour.json");

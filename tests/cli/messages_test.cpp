@@ -35,7 +35,7 @@ TEST_CASE("A character's line has type, confidence, clips and film", "[cli][end-
     REQUIRE(person != page.characters.end());
     const std::string folder = (animated_demo() / person->folder).string();
     const std::string line = cli::character_line(animated_demo(), *person, false);
-    CHECK_THAT(line, StartsWith(folder + ": ok · humanoid (1.00) · "));
+    CHECK_THAT(line, StartsWith(folder + ": ok · humanoid (0.99) · "));
     CHECK_THAT(line, Catch::Matchers::EndsWith(" clips · " + folder + "/animation.webp"));
     CHECK_THAT(cli::character_line(animated_demo(), *person, true), Contains(": ok · humanoid · "));
 }

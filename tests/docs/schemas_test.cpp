@@ -289,7 +289,7 @@ TEST_CASE("No file with a key too many, a missing key or a value of another type
     // What is known of identified characters alone.
     const Allowed identified{{}, {"characters*.type", "characters*.confidence", "characters*.second"}, {}};
     CHECK(damages("page", Json::parse(read(animated_demo() / "page.json")), identified) > 20);
-    CHECK(damages("segmentation", character_json("segmentation.json"), {{"router"}, {}, {}}) > 40);
+    CHECK(damages("segmentation", character_json("segmentation.json"), {{"router"}, {"type"}, {}}) > 40);
     CHECK(damages("contour", character_json("contour.json")) > 10);
     CHECK(damages("skeleton", character_json("skeleton.json")) > 25);
     CHECK(damages("skeletons", character_json("skeletons.json")) > 60);
