@@ -99,6 +99,10 @@ struct Segmentation {
     LabelMap labels;                        // working size; the silhouette is labels ≠ 0
 };
 
+// Whether it looks like a scribble, and no character (SegmentationOptions says how); false where no network
+// has seen the picture. No error. Own.
+bool is_scribble(const Segmentation& segmentation, const SegmentationOptions& options);
+
 // A two-level network in the manner of SketchParse (Sarvadevabhatla et al. 2017; thesis 4.3): shared layers,
 // a router, one expert for each group of categories, a pose head. The weight file's metadata chooses between
 // the compact one and SketchParse itself (docs/formats.md).

@@ -3,6 +3,7 @@
 #include "formats/segmentation_file.hpp"
 
 #include "formats/json_values.hpp"
+#include "image/label_map.hpp"
 
 namespace pantin {
 
@@ -20,9 +21,7 @@ std::string segmentation_to_json(const Segmentation& segmentation) {
         for (std::size_t i = 0; i < type_names.size(); ++i)
             json["type"][type_names[i]] = (*segmentation.type)[i];
     }
-    std::array<long, label_count> areas{};
-    for (const std::uint8_t label : segmentation.labels)
-        if (label < label_count) ++areas[label];
+    const auto areas = part_areas(segmentation.labels);
     json["areas"] = Json::object();
     for (std::size_t i = 0; i < areas.size(); ++i) json["areas"][std::string(label_names[i])] = areas[i];
     return to_json_text(json);

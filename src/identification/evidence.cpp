@@ -56,10 +56,8 @@ std::vector<std::pair<std::string, double>> evidence_terms(const std::string& ty
     terms.emplace_back("prior", row->prior);
     for (int i = 0; i < trait_count; ++i) terms.emplace_back(trait_names[i], row->weights[i] * traits[i]);
     if (seen) {
-        const auto index = std::find(type_names.begin(), type_names.end(), type) - type_names.begin();
-        const double probability = (*seen)[static_cast<std::size_t>(index)];
         for (auto& [name, contribution] : terms) contribution *= rest_weight;
-        terms.emplace_back("seen", -seen_weight * math::log(probability + seen_floor));
+        terms.emplace_back("seen", -seen_weight * math::log(probability_of(*seen, type) + seen_floor));
     }
     return terms;
 }

@@ -24,8 +24,8 @@ constexpr double smallest_part =
 // types.
 constexpr double special_bonus = 0.01;
 
-// Of the borders between parts against the root of the silhouette's area. Labelled drawings (1800, a third of
-// them generated: a wing that is a zigzag on the body has much of it) stay below 8.5.
+// Of the borders between parts against the root of the silhouette's area. Labelled drawings (1800, a quarter
+// of them generated: a wing that is a zigzag on the body has much of it) stay below 8.5.
 constexpr double most_inner_border = 10;
 
 [[noreturn]] void reject(const std::string& reason) { throw CharacterRejected("identify", reason); }
@@ -264,7 +264,8 @@ void describe(Identification& result, const ReferenceSkeleton& chosen,
         const Candidate* model = model_of(chosen, independent);
         result.confidence = model ? confidence_of(*model, independent) : 0;
     }
-    if (seen && with_evidence(options) && chosen.like != "any") result.confidence *= 1 - seen->back();
+    if (seen && with_evidence(options) && chosen.like != "any")
+        result.confidence *= 1 - probability_of(*seen, "other");
 }
 
 } // namespace

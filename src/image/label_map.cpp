@@ -10,6 +10,13 @@
 
 namespace pantin {
 
+std::array<long, label_count> part_areas(const LabelMap& labels) {
+    std::array<long, label_count> areas{};
+    for (const std::uint8_t label : labels)
+        if (label < label_count) ++areas[label];
+    return areas;
+}
+
 Mask part_mask(const LabelMap& labels, LabelSet parts) {
     Mask mask(labels.width(), labels.height());
     std::transform(labels.begin(), labels.end(), mask.begin(),

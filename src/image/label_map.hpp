@@ -2,6 +2,7 @@
 // Label maps as pieces of parts, and the part nearest to a pixel.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "pantin/grid.hpp"
@@ -16,6 +17,9 @@ struct LabelPiece {
     Box box;
     int area() const { return static_cast<int>(pixels.size()); }
 };
+
+// Pixels of each label, background to wing; other values do not count.
+std::array<long, label_count> part_areas(const LabelMap& labels);
 
 // Where the map has one of the labels.
 Mask part_mask(const LabelMap& labels, LabelSet parts);

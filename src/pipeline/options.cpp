@@ -251,8 +251,7 @@ Options make_preset(std::string_view name) {
     options.detection.flatten_sheet = false; // 4.2: the picture as it is
     options.segmentation.mirror = false;     // 4.3: one view of the drawing
     options.segmentation.tilt = 0;
-    options.segmentation.least_confidence = 0; // 4.3: whatever was detected is a character
-    options.segmentation.scribble_ratio = 1000;
+    options.segmentation.scribble_ratio = 1000;       // 4.3: whatever was detected is a character
     options.segmentation.silhouette.rim = 0;          // 4.2: the detector's mask
     options.skeletonization.residual = Residual::arc; // 3.4, ERRATA 1
     options.skeletonization.recover_parts_share = 0;

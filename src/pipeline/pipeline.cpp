@@ -4,8 +4,6 @@
 #include "pantin/pipeline.hpp"
 
 #include <algorithm>
-#include <array>
-#include <numeric>
 
 #include "formats/animated_drawings.hpp"
 #include "formats/character_folder.hpp"
@@ -28,26 +26,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Share of the largest part in the figure; 0 where that is the head, which is no scribble.
-double largest_part_share(const LabelMap& labels) {
-    std::array<long, label_count> areas{};
-    for (const std::uint8_t label : labels) ++areas[label];
-    const auto largest = std::max_element(areas.begin() + 1, areas.end());
-    if (largest - areas.begin() == static_cast<int>(Label::head)) return 0;
-    const long figure = std::accumulate(areas.begin() + 1, areas.end(), 0L);
-    return figure > 0 ? static_cast<double>(*largest) / static_cast<double>(figure) : 0;
-}
-
-// Thesis 4.3 takes every drawing for a character; a scribble has many strokes, no part that the network is
-// sure of or but one, and is none of the types.
-bool is_scribble(const Segmentation& s, const SegmentationOptions& options) {
-    if (s.router.empty() || s.stroke_ratio <= options.scribble_ratio) return false;
-    const bool doubtful = s.confidence < options.least_confidence;
-    if (!s.type) return doubtful;
-    return s.type->back() >= options.scribble_other &&
-           (doubtful || largest_part_share(s.labels) >= options.scribble_part);
-}
-
+// Thesis 4.3 takes every drawing for a character.
 constexpr const char* scribble_text = "looks like a scribble: many strokes, and no parts";
 
 // Steps `first` to `last` on a character that has the products of the steps before. CharacterRejected says

@@ -12,18 +12,12 @@
 #include "pantin/error.hpp"
 #include "pantin/image.hpp"
 #include "pantin/label.hpp"
+#include "plain.hpp"
 
 using namespace pantin;
 using namespace pantin::doodle;
 
 namespace {
-
-DoodleOptions plain(int size) {
-    DoodleOptions options;
-    options.width = options.height = size;
-    options.photo = options.paper = options.colour = 0.0;
-    return options;
-}
 
 std::array<long, label_count> areas(const LabelMap& labels) {
     std::array<long, label_count> count{};

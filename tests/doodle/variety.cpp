@@ -10,18 +10,12 @@
 #include "pantin/error.hpp"
 #include "pantin/image.hpp"
 #include "pantin/label.hpp"
+#include "plain.hpp"
 
 using namespace pantin;
 using namespace pantin::doodle;
 
 namespace {
-
-DoodleOptions plain(int size) {
-    DoodleOptions options;
-    options.width = options.height = size;
-    options.photo = options.paper = options.colour = 0.0;
-    return options;
-}
 
 const std::vector<std::string> all_types = {"humanoid", "quadruped", "flying", "other"};
 

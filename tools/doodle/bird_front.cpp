@@ -261,6 +261,7 @@ void build_front_bat(Builder& b) {
 
 // A bird from the side whose wings are up: flowing trunk, one or both wings.
 void build_raised(Builder& b) {
+    b.figure.heading = 0;
     Random& r = b.random;
     const double x = r.uniform(17, 26), y = r.uniform(6, 12), h = r.uniform(4.5, 8),
                  tilt = r.uniform(-0.1, 0.4);
@@ -305,7 +306,8 @@ void build_raised(Builder& b) {
 }
 
 // A girl with wings: a dress, line limbs.
-void build_fairy(Builder& b, const std::string& species) {
+void build_fairy(Builder& b) {
+    const std::string species = b.figure.species;
     Random& r = b.random;
     b.figure = build_upright(r, r.chance(0.5)   ? "princess"
                                 : r.chance(0.5) ? "posed stick person"
@@ -354,7 +356,8 @@ void build_fairy(Builder& b, const std::string& species) {
 }
 
 // A dragon or a winged horse from the side: a walker's trunk with a long tail, spikes and wings.
-void build_side_dragon(Builder& b, const std::string& species) {
+void build_side_dragon(Builder& b) {
+    const std::string species = b.figure.species;
     Random& r = b.random;
     const bool horse = species == "pegasus", long_neck = r.chance(0.75);
     b.figure = build_walker(r, horse ? "quick horse" : long_neck ? "dragon trunk" : "crocodile");
@@ -375,32 +378,25 @@ void build_side_dragon(Builder& b, const std::string& species) {
     }
 }
 
+const std::vector<Sketch>& sketches() {
+    static const std::vector<Sketch> table = {
+        {"front owl", build_front_owl},   {"front penguin", build_front_penguin},
+        {"front bird", build_front_bird}, {"front bat", build_front_bat},
+        {"raised bird", build_raised},    {"fairy", build_fairy},
+        {"line angel", build_fairy},      {"line dragon", build_side_dragon},
+        {"pegasus", build_side_dragon},   {"peacock", build_peacock},
+    };
+    return table;
+}
+
 } // namespace
 
-std::vector<std::string> spread_species() {
-    return {"front owl", "front penguin", "front bird",  "front bat", "raised bird",
-            "fairy",     "line angel",    "line dragon", "pegasus",   "peacock"};
-}
+std::vector<std::string> spread_species() { return names_of(sketches()); }
 
 Figure build_spread(Random& random, const std::string& species) {
     Builder b(random, "flying", species);
     b.figure.heading = 0.5 * pi;
-    if (species == "front owl")
-        build_front_owl(b);
-    else if (species == "front penguin")
-        build_front_penguin(b);
-    else if (species == "front bird")
-        build_front_bird(b);
-    else if (species == "front bat")
-        build_front_bat(b);
-    else if (species == "raised bird")
-        b.figure.heading = 0, build_raised(b);
-    else if (species == "line dragon" || species == "pegasus")
-        build_side_dragon(b, species);
-    else if (species == "peacock")
-        build_peacock(b);
-    else
-        build_fairy(b, species);
+    row_of(sketches(), species).draw(b);
     return std::move(b.figure);
 }
 

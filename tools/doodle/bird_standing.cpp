@@ -368,18 +368,11 @@ void add_wing(Builder& b, const Layout& l, int trunk, bool flowing) {
 
 } // namespace
 
-std::vector<std::string> perched_species() {
-    std::vector<std::string> names;
-    for (const Kind& kind : kinds()) names.push_back(kind.name);
-    return names;
-}
+std::vector<std::string> perched_species() { return names_of(kinds()); }
 
 Figure build_perched(Random& random, const std::string& species) {
     Builder b(random, "flying", species);
-    Perched bird = kinds().front().bird;
-    for (const Kind& kind : kinds())
-        if (species == kind.name) bird = kind.bird;
-    Perched p = vary(b, bird);
+    Perched p = vary(b, row_of(kinds(), species).bird);
     if (species == "swimming duck" && random.chance(0.2)) p.leg = random.uniform(4.0, 9.0); // ashore
     const Layout l = lay_out(random, p);
     const bool fan = p.end == TailShape::fan, flowing = random.chance(0.78);

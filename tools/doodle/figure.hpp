@@ -79,6 +79,25 @@ public:
     Figure figure;
 };
 
+// A species and what draws it, which finds the name in figure.species.
+struct Sketch {
+    const char* name;
+    void (*draw)(Builder&);
+};
+
+// The lists and choices of species follow from tables whose rows have a `name`.
+template <class Row> std::vector<std::string> names_of(const std::vector<Row>& table) {
+    std::vector<std::string> names;
+    for (const Row& row : table) names.push_back(row.name);
+    return names;
+}
+// The first row where there is none of that name.
+template <class Row> const Row& row_of(const std::vector<Row>& table, const std::string& name) {
+    for (const Row& row : table)
+        if (name == row.name) return row;
+    return table.front();
+}
+
 // Figures of one type; `species` is one of species_of(type).
 Figure build_humanoid(Random& random, const std::string& species);
 Figure build_quadruped(Random& random, const std::string& species);

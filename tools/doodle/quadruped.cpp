@@ -533,19 +533,12 @@ void build_facing(Builder& b, Animal a, const std::string& species) {
 
 } // namespace
 
-std::vector<std::string> quadruped_species() {
-    std::vector<std::string> names;
-    for (const Kind& kind : kinds()) names.push_back(kind.name);
-    return names;
-}
+std::vector<std::string> quadruped_species() { return names_of(kinds()); }
 
 // Used by the dragon too.
 Figure build_quadruped(Random& random, const std::string& species) {
     Builder b(random, "quadruped", species);
-    Animal animal = kinds().front().animal;
-    for (const Kind& kind : kinds())
-        if (species == kind.name) animal = kind.animal;
-    animal = vary(b, animal);
+    const Animal animal = vary(b, row_of(kinds(), species).animal);
     if (animal.head_kind != HeadKind::length && random.chance(0.14)) {
         build_facing(b, animal, species);
         return std::move(b.figure);

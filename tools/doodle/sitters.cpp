@@ -54,7 +54,8 @@ void add_any_tail(Builder& b, Point2d root, double side, double l, int trunk) {
 }
 
 // Towards us: a face over an egg, legs as lines or loops inside it.
-void build_sitting_front(Builder& b, const std::string& species) {
+void build_sitting_front(Builder& b) {
+    const std::string species = b.figure.species;
     Random& r = b.random;
     const double w = r.uniform(9, 16), l = r.uniform(15, 26), h = r.uniform(9, 15);
     const Path egg = spline({{-0.45 * w, -l},
@@ -96,7 +97,8 @@ void build_sitting_front(Builder& b, const std::string& species) {
 }
 
 // From the side on its haunches: the back a slope.
-void build_sitting_side(Builder& b, const std::string& species) {
+void build_sitting_side(Builder& b) {
+    const std::string species = b.figure.species;
     Random& r = b.random;
     const double x = r.uniform(11, 17), y = r.uniform(15, 23), h = r.uniform(7, 11),
                  muzzle = species == "dog sitting sideways" ? r.uniform(4, 10) : r.uniform(0, 4);
@@ -151,7 +153,8 @@ void build_sitting_side(Builder& b, const std::string& species) {
 }
 
 // Asleep or at rest: a loaf with a head in front, paws beneath it.
-void build_lying(Builder& b, const std::string& species) {
+void build_lying(Builder& b) {
+    const std::string species = b.figure.species;
     Random& r = b.random;
     const double x = r.uniform(22, 32), y = r.uniform(8, 14), h = r.uniform(7, 12);
     const int trunk = b.region(Label::body,
@@ -296,34 +299,28 @@ void build_squirrel(Builder& b) {
                       mix(up[1], up[3], i / 6.0) + Point2d{0.6 * q, -0.5 * q}});
 }
 
+const std::vector<Sketch>& sketches() {
+    static const std::vector<Sketch> table = {
+        {"sitting cat", build_sitting_front},
+        {"sitting dog", build_sitting_front},
+        {"cat sitting sideways", build_sitting_side},
+        {"dog sitting sideways", build_sitting_side},
+        {"lying cat", build_lying},
+        {"lying dog", build_lying},
+        {"frog", build_frog},
+        {"sea turtle", build_sea_turtle},
+        {"squirrel", build_squirrel},
+    };
+    return table;
+}
+
 } // namespace
 
-std::vector<std::string> sitter_species() {
-    return {"sitting cat",
-            "sitting dog",
-            "cat sitting sideways",
-            "dog sitting sideways",
-            "lying cat",
-            "lying dog",
-            "frog",
-            "sea turtle",
-            "squirrel"};
-}
+std::vector<std::string> sitter_species() { return names_of(sketches()); }
 
 Figure build_sitter(Random& random, const std::string& species) {
     Builder b(random, "quadruped", species);
-    if (species == "sitting cat" || species == "sitting dog")
-        build_sitting_front(b, species);
-    else if (species.find("sideways") != std::string::npos)
-        build_sitting_side(b, species);
-    else if (species == "frog")
-        build_frog(b);
-    else if (species == "sea turtle")
-        build_sea_turtle(b);
-    else if (species == "squirrel")
-        build_squirrel(b);
-    else
-        build_lying(b, species);
+    row_of(sketches(), species).draw(b);
     return std::move(b.figure);
 }
 

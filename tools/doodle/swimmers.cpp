@@ -66,7 +66,8 @@ void add_fish_marks(Builder& b, const Fish& f, int trunk, const std::string& spe
 }
 
 // Fish, sharks, whales and dolphins in one outline; `arch` bends the back.
-void build_fish(Builder& b, const std::string& species) {
+void build_fish(Builder& b) {
+    const std::string species = b.figure.species;
     Random& r = b.random;
     const bool whale = species == "whale", shark = species == "shark", dolphin = species == "dolphin";
     const double x = r.uniform(22, 30),
@@ -222,7 +223,8 @@ void build_crab(Builder& b) {
 }
 
 // Scorpions and lobsters from above or the side: claws in front, a jointed tail.
-void build_scorpion(Builder& b, const std::string& species) {
+void build_scorpion(Builder& b) {
+    const std::string species = b.figure.species;
     Random& r = b.random;
     const double x = r.uniform(14, 22), y = x * r.uniform(0.25, 0.5);
     const int trunk = b.region(Label::body, ellipse({0, 0}, x, y), 0);
@@ -360,33 +362,32 @@ void build_snake(Builder& b) {
         add_pattern(b, trunk, {mix(line.front(), line.back(), 0.5), 0.5 * pace * n, amp, 0}, "stripes");
 }
 
+const std::vector<Sketch>& sketches() {
+    static const std::vector<Sketch> table = {
+        {"fish", build_fish},
+        {"whale", build_fish},
+        {"dolphin", build_fish},
+        {"shark", build_fish},
+        {"spider", build_spider},
+        {"ant", build_ant},
+        {"crab", build_crab},
+        {"scorpion", build_scorpion},
+        {"lobster", build_scorpion},
+        {"snail", build_snail},
+        {"caterpillar", build_caterpillar},
+        {"octopus", build_octopus},
+        {"snake", build_snake},
+    };
+    return table;
+}
+
 } // namespace
 
-std::vector<std::string> swimmer_species() {
-    return {"fish",     "whale",   "dolphin", "shark",       "spider",  "ant",  "crab",
-            "scorpion", "lobster", "snail",   "caterpillar", "octopus", "snake"};
-}
+std::vector<std::string> swimmer_species() { return names_of(sketches()); }
 
 Figure build_swimmer(Random& random, const std::string& species) {
     Builder b(random, "other", species);
-    if (species == "spider")
-        build_spider(b);
-    else if (species == "ant")
-        build_ant(b);
-    else if (species == "crab")
-        build_crab(b);
-    else if (species == "scorpion" || species == "lobster")
-        build_scorpion(b, species);
-    else if (species == "snail")
-        build_snail(b);
-    else if (species == "caterpillar")
-        build_caterpillar(b);
-    else if (species == "octopus")
-        build_octopus(b);
-    else if (species == "snake")
-        build_snake(b);
-    else
-        build_fish(b, species);
+    row_of(sketches(), species).draw(b);
     return std::move(b.figure);
 }
 

@@ -16,7 +16,8 @@ namespace {
 using math::pi;
 using namespace upright;
 
-void build_posed(Builder& b, bool lines, bool baby) {
+void build_posed(Builder& b) {
+    const bool lines = b.figure.species == "posed stick person", baby = b.figure.species == "baby";
     Random& r = b.random;
     Body s = random_body(b);
     if (lines) s.trunk = Trunk::line, s.arms = s.legs = Limbs::lines;
@@ -203,7 +204,8 @@ void build_snowman(Builder& b) {
 }
 
 // Bears, pandas, rabbits, upright: round trunk, short limbs.
-void build_bear(Builder& b, const std::string& species) {
+void build_bear(Builder& b) {
+    const std::string species = b.figure.species;
     Random& r = b.random;
     Body s = random_body(b);
     s.hx = r.uniform(12, 20), s.hy = s.hx * r.uniform(0.8, 1.05), s.top = s.hy - r.uniform(1.0, 4.0);
@@ -232,7 +234,8 @@ void build_bear(Builder& b, const std::string& species) {
 }
 
 // All of one outline, as a cut biscuit.
-void build_gingerbread(Builder& b, const std::string& species) {
+void build_gingerbread(Builder& b) {
+    const std::string species = b.figure.species;
     Random& r = b.random;
     const double h = r.uniform(9, 16), w = r.uniform(7, 13), l = r.uniform(20, 34), arm = r.uniform(10, 24),
                  leg = r.uniform(12, 28), t = r.uniform(3, 6);
@@ -332,7 +335,8 @@ void add_hind_tail(Builder& b, int trunk, Frame f, const std::string& species) {
 }
 
 // From the side, leaning back on its tail: kangaroo; with a bushy tail: squirrel.
-void build_side_upright(Builder& b, const std::string& species) {
+void build_side_upright(Builder& b) {
+    const std::string species = b.figure.species;
     Random& r = b.random;
     const double w = r.uniform(6, 11), l = r.uniform(26, 42), lean = r.uniform(-0.1, 0.4),
                  h = r.uniform(6, 9), muzzle = r.uniform(3, 9);
@@ -375,39 +379,37 @@ void build_side_upright(Builder& b, const std::string& species) {
     b.figure.heading = 0;
 }
 
+const std::vector<Sketch>& sketches() {
+    static const std::vector<Sketch> table = {
+        {"posed person", build_posed},
+        {"posed stick person", build_posed},
+        {"sketched monkey", build_sketch_monkey},
+        {"outlined monkey", build_gingerbread},
+        {"gingerbread", build_gingerbread},
+        {"princess", build_princess},
+        {"mermaid", build_mermaid},
+        {"snowman", build_snowman},
+        {"panda", build_bear},
+        {"round bear", build_bear},
+        {"upright rabbit", build_bear},
+        {"person from the side", build_side_person},
+        {"baby", build_posed},
+        {"kangaroo", build_side_upright},
+        {"upright squirrel", build_side_upright},
+        {"upright mouse", build_side_upright},
+        {"boxy robot", build_boxy_robot},
+    };
+    return table;
+}
+
 } // namespace
 
-std::vector<std::string> upright_species() {
-    return {"posed person", "posed stick person", "sketched monkey",  "outlined monkey",
-            "gingerbread",  "princess",           "mermaid",          "snowman",
-            "panda",        "round bear",         "upright rabbit",   "person from the side",
-            "baby",         "kangaroo",           "upright squirrel", "upright mouse",
-            "boxy robot"};
-}
+std::vector<std::string> upright_species() { return names_of(sketches()); }
 
 Figure build_upright(Random& random, const std::string& species) {
     Builder b(random, "humanoid", species);
     b.figure.heading = 0.5 * pi;
-    if (species == "sketched monkey")
-        build_sketch_monkey(b);
-    else if (species == "boxy robot")
-        build_boxy_robot(b);
-    else if (species == "princess")
-        build_princess(b);
-    else if (species == "mermaid")
-        build_mermaid(b);
-    else if (species == "snowman")
-        build_snowman(b);
-    else if (species == "panda" || species == "round bear" || species == "upright rabbit")
-        build_bear(b, species);
-    else if (species == "gingerbread" || species == "outlined monkey")
-        build_gingerbread(b, species);
-    else if (species == "person from the side")
-        build_side_person(b);
-    else if (species == "kangaroo" || species == "upright squirrel" || species == "upright mouse")
-        build_side_upright(b, species);
-    else
-        build_posed(b, species == "posed stick person", species == "baby");
+    row_of(sketches(), species).draw(b);
     return std::move(b.figure);
 }
 

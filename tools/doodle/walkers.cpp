@@ -434,10 +434,7 @@ std::vector<std::string> walker_species() {
 
 Figure build_walker(Random& random, const std::string& species) {
     Builder b(random, "quadruped", species);
-    Walker animal = kinds().front().animal;
-    for (const Kind& kind : kinds())
-        if (species == kind.name) animal = kind.animal;
-    const Walker a = vary(b, animal);
+    const Walker a = vary(b, row_of(kinds(), species).animal);
     const Layout l = lay_out(random, a);
     const bool special = species == "hedgehog" || species == "humped camel" || species == "crocodile";
     const bool flowing = special || random.chance(0.7), line = !special && random.chance(0.06);

@@ -128,7 +128,7 @@ def judge(rows, file, ridge):
     train = [r for r in rows if fold(r["id"]) != 0]
     train_truth = np.array([TYPES.index(r["type"]) for r in train])
     truth = np.array([TYPES.index(r["type"]) for r in tests])
-    weight = len(train) / 3 / np.bincount(train_truth, minlength=3)[train_truth]
+    weight = weights_of(train, train_truth)
     share, numbers = label_numbers_of(tests)
     model = fit(label_numbers_of(train)[1], None, train_truth, weight, ridge)
     found = {"the program": [TYPES.index(r["found"]) if r["status"] == "ok" and r["found"] in TYPES else 3 for r in tests],

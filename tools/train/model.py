@@ -135,7 +135,7 @@ class Pose(nn.Module):
 
 
 class Kind(nn.Module):
-    """how the character moves (TYPES)."""
+    """how the character moves (TYPES); `type` is a method of every module."""
 
     def __init__(self, inputs, width):
         super().__init__()
