@@ -26,6 +26,10 @@ struct DetectionOptions {
     // A sheet on a photograph of a desk is found and flattened first (pantin/sheet.hpp). `thesis`: never.
     bool flatten_sheet = true;
 
+    // A page that lies on its side or upside down is turned by itself when a quarter turn has this
+    // probability (own, src/pipeline/upright.hpp). `thesis`: never (2).
+    double turn_probability = 0.9;
+
     // Ink. Shares of the darkness of the darkest strokes (ink_darkness).
     double ink_contrast = 0.15;    // a stroke is darker than the local mean by this
     double lightest_stroke = 0.38; // and at least this dark itself

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -103,6 +104,10 @@ struct Segmentation {
 // has seen the picture. No error. Own.
 bool is_scribble(const Segmentation& segmentation, const SegmentationOptions& options);
 
+// Probability of each number of quarter turns clockwise, 0 to 3, after which a character stands as it was
+// drawn; they add up to 1. Nothing of a network without such a head.
+using TurnProbabilities = std::optional<std::array<double, 4>>;
+
 // A two-level network in the manner of SketchParse (Sarvadevabhatla et al. 2017; thesis 4.3): shared layers,
 // a router, one expert for each group of categories, a pose head. The weight file's metadata chooses between
 // the compact one and SketchParse itself (docs/formats.md).
@@ -122,6 +127,10 @@ public:
     // silhouette are own.
     Segmentation segment(const GreyImage& ink, const Mask& mask, const SegmentationOptions& options = {},
                          bool exact_mask = false) const;
+
+    // How a character on a page that may lie on its side was meant. ink as above. Error(weights) and the
+    // bits as above. Own.
+    TurnProbabilities find_turn(const GreyImage& ink, const SegmentationOptions& options = {}) const;
 
 private:
     struct Model;

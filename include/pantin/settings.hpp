@@ -42,8 +42,10 @@ struct Settings {
                                    // of its name; empty: none
     std::filesystem::path motion_map; // JSON: which of its joints plays which part; empty: found
     bool blend = false;               // clips of the two best types are mixed
-    std::vector<int> only;          // numbers of the page's characters that are animated, from 1; empty: all
-    int rotate = 0;                 // degrees by which a page is first turned clockwise: 0, 90, 180, 270
+    std::vector<int> only; // numbers of the page's characters that are animated, from 1; empty: all
+    // Degrees by which a page is first turned clockwise: 0, 90, 180, 270. None: as the drawing seems to have
+    // been meant (DetectionOptions::turn_probability); given results (`overrides`) stay as they are.
+    std::optional<int> rotate;
     int threads = 1;                // results do not depend on it
     bool animated_drawings = false; // humanoids are also written as AnimatedDrawings character folders
     bool trace = false;             // intermediate products are written, too

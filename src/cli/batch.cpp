@@ -63,10 +63,10 @@ std::string detector_of(const JsonReader& value) {
     return text;
 }
 
-int rotation_of(const JsonReader& value) {
+std::string rotation_of(const JsonReader& value) {
     const long degrees = value.integer(0, 270);
     if (degrees % 90 != 0) value.fail("must be 0, 90, 180 or 270");
-    return static_cast<int>(degrees);
+    return std::to_string(degrees);
 }
 
 std::vector<std::string> formats_of(const JsonReader& value) {

@@ -96,8 +96,11 @@ void add_detector_option(Command command, CommonOptions& options) {
 }
 
 void add_rotate_option(Command command, CommonOptions& options) {
-    command.option("--rotate", options.rotate, "turn the page clockwise first: 90, 180 or 270")
-        .one_of({0, 90, 180, 270});
+    command
+        .option("--rotate", options.rotate,
+                "turn the page clockwise first: 0, 90, 180 or 270; auto: as the drawing seems to be meant")
+        .show_default()
+        .one_of({"auto", "0", "90", "180", "270"});
 }
 
 void add_only_option(Command command, CommonOptions& options) {
@@ -176,7 +179,7 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
     if (options.in_place) settings.options.animation.motion_way = Way::in_place;
     if (options.follow) settings.options.animation.motion_way = Way::follow;
     settings.blend = options.blend;
-    settings.rotate = options.rotate;
+    if (options.rotate != "auto") settings.rotate = std::stoi(options.rotate);
     settings.only = options.only;
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
     settings.threads = options.threads > 0 ? options.threads : static_cast<int>(std::min(cores, 256u));

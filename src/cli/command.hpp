@@ -16,7 +16,7 @@ struct CommonOptions {
     std::string config, detector, weights, references, motion, motion_map;
     std::string config_text; // a configuration at hand instead of in a file (of `batch`)
     int threads = 0;         // 0: all cores
-    int rotate = 0;
+    std::string rotate = "auto";
     std::vector<int> only;
     bool trace = false, quiet = false, animated_drawings = false, blend = false;
     bool in_place = false, follow = false; // a recorded motion's way

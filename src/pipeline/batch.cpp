@@ -56,8 +56,8 @@ std::optional<Page> finished_page(const fs::path& image, const fs::path& out, co
     if (!fs::exists(out / file_names::page, ignored)) return std::nullopt;
     try {
         const Page page = read_page(out / file_names::page);
-        bool finished =
-            page.source == image.filename() && page.rotate == settings.rotate && !page.characters.empty();
+        bool finished = page.source == image.filename() &&
+                        page.rotate == settings.rotate.value_or(page.rotate) && !page.characters.empty();
         for (const PageCharacter& c : page.characters)
             finished = finished && c.status != unfinished_status &&
                        (c.status != "ok" || fs::exists(out / c.folder / file_names::glb, ignored));

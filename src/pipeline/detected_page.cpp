@@ -16,6 +16,7 @@
 #include "pipeline/overrides.hpp"
 #include "pipeline/overview.hpp"
 #include "pipeline/page_picture.hpp"
+#include "pipeline/upright.hpp"
 
 namespace pantin {
 
@@ -30,6 +31,37 @@ Detection detect_on(const RgbImage& picture, const PageInk& ink, const fs::path&
         return detect(picture, ink, options, finder);
     } catch (const Error& error) {
         throw Error(error.kind(), image.string() + ": " + error.what());
+    }
+}
+
+struct FoundOnPage {
+    PagePicture page;
+    Detection detection;
+    int rotate = 0;
+};
+
+// As the user turns the page, or upright (upright.hpp).
+FoundOnPage find_on_page(const fs::path& image, Context& context) {
+    const Settings& settings = context.settings();
+    const bool flattens = context.options().detection.flatten_sheet;
+    const auto find = [&](int rotate) {
+        FoundOnPage found{load_page_picture(image, rotate, flattens), {}, rotate};
+        found.detection = detect_on(found.page.picture, found.page.ink, image, context);
+        return found;
+    };
+    FoundOnPage found = find(settings.rotate.value_or(0));
+    if (settings.rotate) return found;
+    const int rotate = find_page_turn(found.detection.characters, context);
+    if (rotate == 0) return found;
+    try {
+        FoundOnPage upright = find(rotate);
+        context.notice(image.string() + ": " + (rotate == 180 ? "stands on its head" : "lies on its side") +
+                       ", is turned clockwise by " + std::to_string(rotate) +
+                       " degrees (--rotate 0: as it is)");
+        return upright;
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::no_character) throw;
+        return found;
     }
 }
 
@@ -76,26 +108,28 @@ fs::path page_beside(const fs::path& folder) {
 AnimatedPage detect_characters(const fs::path& image, Context& context) {
     const Settings& settings = context.settings();
     AnimatedPage result;
-    PagePicture loaded =
-        load_page_picture(picture_of(image), settings.rotate,
-                          context.options().detection.flatten_sheet && !has_given_character(image, settings));
-    result.picture = std::move(loaded.picture);
-    std::optional<GivenCharacter> given =
-        given_character(result.picture, loaded.ink, image, settings, context.options().detection);
-    Detection detection;
-    if (given)
-        detection.characters.push_back(std::move(given->detected));
-    else
-        detection = detect_on(result.picture, loaded.ink, image, context);
-    tell_of_paper(image, loaded, given.has_value(), context);
+    std::optional<GivenCharacter> given;
+    FoundOnPage found;
+    if (has_given_character(image, settings)) {
+        found.rotate = settings.rotate.value_or(0);
+        found.page = load_page_picture(picture_of(image), found.rotate, false);
+        given =
+            given_character(found.page.picture, found.page.ink, image, settings, context.options().detection);
+        found.detection.characters.push_back(std::move(given->detected));
+    } else {
+        found = find_on_page(image, context);
+    }
+    Detection& detection = found.detection;
+    tell_of_paper(image, found.page, given.has_value(), context);
+    result.picture = std::move(found.page.picture);
     if (given) result.page.remarks = given->remarks;
     for (const std::string& remark : result.page.remarks) context.notice(remark);
     result.ink = std::move(detection.ink);
 
     Page& page = result.page;
     page.source = image.filename().string();
-    page.sheet = loaded.sheet;
-    page.rotate = settings.rotate;
+    page.sheet = found.page.sheet;
+    page.rotate = found.rotate;
     page.width = result.picture.width();
     page.height = result.picture.height();
     page.detector =

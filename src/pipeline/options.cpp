@@ -30,6 +30,7 @@ template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visi
     visit("detection.working_size", o.working_size, 64, 2048);
     visit("detection.max_characters", o.max_characters, 1, 64);
     visit("detection.flatten_sheet", o.flatten_sheet);
+    visit("detection.turn_probability", o.turn_probability, 0, 2);
     visit("detection.ink_contrast", o.ink_contrast, 0, 1);
     visit("detection.lightest_stroke", o.lightest_stroke, 0, 1);
     visit("detection.filled_darkness", o.filled_darkness, 0, 1);
@@ -249,7 +250,8 @@ Options make_preset(std::string_view name) {
                                           "' (default, thesis)" + did_you_mean(name, {"default", "thesis"}));
     options.detection.working_size = 321;    // ch. 5: the network's input
     options.detection.flatten_sheet = false; // 4.2: the picture as it is
-    options.segmentation.mirror = false;     // 4.3: one view of the drawing
+    options.detection.turn_probability = 2;
+    options.segmentation.mirror = false; // 4.3: one view of the drawing
     options.segmentation.tilt = 0;
     options.segmentation.scribble_ratio = 1000;       // 4.3: whatever was detected is a character
     options.segmentation.silhouette.rim = 0;          // 4.2: the detector's mask

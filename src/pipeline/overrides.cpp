@@ -77,13 +77,14 @@ std::optional<GivenCharacter> given_character(const RgbImage& page, const PageIn
     const bool has_joints = is_animated_drawings_folder(image) && overrides.labels.empty();
     if (has_joints && overrides.mask.empty()) overrides.mask = image / file_names::mask;
     if (overrides.mask.empty() && overrides.labels.empty()) return std::nullopt;
+    const int rotate = settings.rotate.value_or(0);
     Mask mask(page.width(), page.height(), 1);
     LabelMap labels;
     std::vector<std::string> remarks;
-    if (!overrides.mask.empty()) mask = mask_beside(overrides.mask, page, image, settings.rotate, remarks);
+    if (!overrides.mask.empty()) mask = mask_beside(overrides.mask, page, image, rotate, remarks);
     if (!overrides.labels.empty()) {
         labels = load_grey(overrides.labels);
-        labels = turned(std::move(labels), settings.rotate);
+        labels = turned(std::move(labels), rotate);
         check_size(overrides.labels, labels.width(), labels.height(), page, image);
         check_labels(labels, overrides.labels);
         for (std::size_t i = 0; i < mask.size(); ++i) {
@@ -91,7 +92,7 @@ std::optional<GivenCharacter> given_character(const RgbImage& page, const PageIn
             mask.data()[i] = labels.data()[i] != 0;
         }
     }
-    if (has_joints) labels = labels_beside(mask, image, settings.rotate, remarks);
+    if (has_joints) labels = labels_beside(mask, image, rotate, remarks);
     const fs::path& file = overrides.labels.empty() ? overrides.mask : overrides.labels;
     if (std::count(mask.begin(), mask.end(), 1) == 0)
         throw Error(ErrorKind::input, file.string() + ": has no pixel of the character");

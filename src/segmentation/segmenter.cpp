@@ -9,6 +9,7 @@
 #include "segmentation/final_silhouette.hpp"
 #include "segmentation/letterbox.hpp"
 #include "segmentation/part_labels.hpp"
+#include "segmentation/segmenter_model.hpp"
 #include "segmentation/views.hpp"
 
 namespace pantin {
@@ -33,10 +34,6 @@ double stroke_ratio(const Grid<float>& ink, const Mask& silhouette) {
 }
 
 } // namespace
-
-struct Segmenter::Model {
-    std::unique_ptr<segmentation::SegmentationNetwork> network;
-};
 
 Segmenter::Segmenter(std::span<const unsigned char> weights, const std::string& source)
     : model_(std::make_unique<Model>(

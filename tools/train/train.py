@@ -4,6 +4,7 @@
 
 usage: train.py SHARDS OUT --minutes M [--resume CHECKPOINT] [--rate 2e-3] [--batch 16] [--size 256] [--seed 1] [--share source=weight ...]
                 [--start CHECKPOINT_OR_SAFETENSORS]       (weights alone, into a network that may have more blocks)
+                [--teacher CHECKPOINT_OR_SAFETENSORS]     (its mean of several views is learned, too: distil.py)
 AdamW; the rate climbs for 2 %, stays until half of the time and falls along a cosine to zero at its end. Writes OUT/last.pt every few
 minutes (model, moving average of the weights, optimiser, step) and one line per 50 steps on stdout.
 """
@@ -11,6 +12,7 @@ import torch
 import torch.nn.functional as F
 
 import dataset
+import distil
 import export
 import loop
 from model import EXPERTS, INPUT, LABELS, Segmenter, widen
@@ -44,12 +46,14 @@ def part_loss(logits, labels):
     return entropy + dice_loss(logits, labels)
 
 
-def loss_of(model, ink, labels, experts, poses, types):
+def loss_of(model, ink, labels, experts, poses, types, teacher=None):
     route = torch.where(experts == IGNORE, 0, experts)
     with torch.autocast("cpu", dtype=torch.bfloat16):
         parts, router, pose, kind = model(ink, route)
     total = sum(part_loss(parts[name].float(), labels[route == i]) * (route == i).float().mean()
                 for i, name in enumerate(EXPERTS) if name in parts)
+    if teacher:
+        total = total + distil.loss(teacher, ink, route, parts)
     total = total + 0.1 * F.cross_entropy(router.float(), experts, ignore_index=IGNORE)
     if bool((poses != IGNORE).any()):
         total = total + 0.03 * F.cross_entropy(pose.float(), poses, ignore_index=IGNORE)
@@ -61,6 +65,7 @@ def main():
         parser.add_argument("--size", type=int, default=INPUT, help="side of the training images: small ones first, the input last")
         parser.add_argument("--share", nargs="*", default=[])
         parser.add_argument("--start")
+        parser.add_argument("--teacher")
     args = loop.parse(__doc__, 2e-3, 16, more)
     shares = {**SHARES, **{k: float(v) for k, v in (s.split("=") for s in args.share)}}
     shards = dataset.Shards(args.shards, shares)
@@ -68,10 +73,11 @@ def main():
     if args.start:
         model.load_state_dict(widen(export.load(args.start).state_dict(), model))
     model = model.to(memory_format=torch.channels_last)
+    teacher = export.load(args.teacher).to(memory_format=torch.channels_last) if args.teacher else None
 
     def losses_of(model, rng):
         ink, *truth = dataset.batch(shards, args.batch, rng, args.size)
-        return {"loss": loss_of(model, torch.from_numpy(ink), *(torch.from_numpy(t).long() for t in truth))}
+        return {"loss": loss_of(model, torch.from_numpy(ink), *(torch.from_numpy(t).long() for t in truth), teacher)}
     facts = {key: getattr(model, key) for key in ("widths", "decoder", "size", "contexts", "refine")}
     loop.train(model, losses_of, args, weight_decay=0.02, clip=2.0, decay=0.998, report=50, facts=facts, after_report=shards.refresh)
 

@@ -31,6 +31,10 @@ Tensor TypeHead::forward(const Features& features, const Runtime& runtime) const
     return network::softmax(linear.forward(pooled(x), runtime), runtime);
 }
 
+Tensor TurnHead::forward(const Features& features, const Runtime& runtime) const {
+    return linear.forward(pooled(conv.forward(features.stages.back(), runtime)), runtime);
+}
+
 Tensor PoseHead::forward(const Features& features, const Runtime& runtime) const {
     const Tensor x = conv.forward(features.stages.back(), runtime);
     const Tensor scores = linear.forward(network::global_average_pool(x), runtime);
@@ -70,6 +74,10 @@ struct Encoded : segmentation::EncodedInput {
 
 std::unique_ptr<segmentation::EncodedInput> Network::encode(const Tensor& ink, const Runtime& runtime) const {
     return std::make_unique<Encoded>(*this, stem.forward(ink, runtime), runtime);
+}
+
+Tensor Network::turn_scores(const Tensor& ink, const Runtime& runtime) const {
+    return turn ? turn->forward(stem.forward(ink, runtime), runtime) : Tensor();
 }
 
 } // namespace pantin::compact

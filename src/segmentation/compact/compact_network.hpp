@@ -58,6 +58,13 @@ struct TypeHead {
     Tensor forward(const Features& features, const Runtime& runtime) const; // probabilities, [4, 1, 1]
 };
 
+// How many quarter turns clockwise bring the drawing upright.
+struct TurnHead {
+    Block conv;                                                             // 112 → 64, 8×8
+    network::Linear linear;                                                 // 128 → 4
+    Tensor forward(const Features& features, const Runtime& runtime) const; // scores, [4, 1, 1]
+};
+
 struct Expert {
     // From coarse to fine: a block on the doubled map and the stem's stage, and what refines it.
     struct Stage {
@@ -74,11 +81,13 @@ struct Network : segmentation::SegmentationNetwork {
     Stem stem;
     std::optional<Router> router;
     std::optional<PoseHead> pose;
-    std::optional<TypeHead> type; // older files have none
+    std::optional<TypeHead> type; // older files have none of these two
+    std::optional<TurnHead> turn;
     std::vector<Expert> experts;
 
     std::unique_ptr<segmentation::EncodedInput> encode(const Tensor& ink,
                                                        const Runtime& runtime) const override;
+    Tensor turn_scores(const Tensor& ink, const Runtime& runtime) const override;
 };
 
 // Error(weights) naming the file and the fact.

@@ -18,6 +18,7 @@ constexpr int max_width = 4096; // channels of a layer
 constexpr int max_input = 2048; // side of the input
 constexpr int max_blocks = 64;  // of a stage, and their dilations
 constexpr int halvings = 1 << stages;
+constexpr int quarter_turns = 4;
 
 template <class Names> std::string joined(const Names& names) {
     std::string text;
@@ -139,6 +140,13 @@ std::unique_ptr<segmentation::SegmentationNetwork> load_network(const WeightFile
         net.type.emplace(
             TypeHead{{read_convolution(file, "kind.conv", {.in = in, .out = width, .stride = 2})},
                      read_linear(file, "kind.linear", 2 * width, static_cast<int>(type_names.size()))});
+    }
+    if (file.has_metadata("turns")) {
+        expect(file, "turns", "0,90,180,270");
+        const int width = layout.decoder[0];
+        net.turn.emplace(
+            TurnHead{{read_convolution(file, "turn.conv", {.in = in, .out = width, .stride = 2})},
+                     read_linear(file, "turn.linear", 2 * width, quarter_turns)});
     }
     for (const std::string& name : net.expert_names)
         net.experts.push_back(read_expert(file, "experts." + name, layout));
