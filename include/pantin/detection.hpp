@@ -2,6 +2,7 @@
 // Step 1 (thesis 4.2): a page to characters, each with its box and its filled silhouette.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -29,6 +30,10 @@ struct DetectionOptions {
     // A page that lies on its side or upside down is turned by itself when a quarter turn has this
     // probability (own, src/pipeline/upright.hpp). `thesis`: never (2).
     double turn_probability = 0.9;
+    // What touches a larger character is a figure of its own when its score reaches figure_score and the
+    // segmenter's type head says `other` with less than figure_other (own, src/pipeline/figure_test.hpp).
+    // `thesis`: whatever was detected is one (0, 2).
+    double figure_score = 0.8, figure_other = 0.5;
 
     // Ink. Shares of the darkness of the darkest strokes (ink_darkness).
     double ink_contrast = 0.15;    // a stroke is darker than the local mean by this
@@ -122,11 +127,15 @@ struct Detection {
     std::vector<DetectedCharacter> characters; // left to right, then top to bottom, by box centre
 };
 
+// Whether what touches a larger character is a figure of its own rather than a part of that one.
+using FigureTest = std::function<bool(const DetectedCharacter&)>;
+
 // page: at any size; ink: of that page. With a finder its network groups the ink (when it finds anything),
-// without one the contour-based detector does. Boxes in page pixels, masks at working size.
+// without one the contour-based detector does; with a test what touches a larger character and is no figure
+// joins it. Boxes in page pixels, masks at working size.
 // Error(no_character) when the page holds none. Thesis 4.2, Fig. 4.3; contours: Suzuki & Abe 1985.
 Detection detect(const RgbImage& page, const PageInk& ink, const DetectionOptions& options = {},
-                 const CharacterFinder* finder = nullptr);
+                 const CharacterFinder* finder = nullptr, const FigureTest& is_figure = {});
 // The same with the ink of find_page_ink(page).
 Detection detect(const RgbImage& page, const DetectionOptions& options = {},
                  const CharacterFinder* finder = nullptr);

@@ -196,6 +196,7 @@ Evaluation evaluate(const Dataset& dataset, const fs::path& out, const Settings&
         if (settings.progress)
             settings.progress(truth.id, static_cast<double>(i) / static_cast<double>(dataset.size()));
         Settings quiet = settings;
+        quiet.rotate = settings.rotate.value_or(0); // the truth lies on the page as it is
         quiet.progress = nullptr;
         quiet.warning = nullptr;
         const std::vector<Answer> answers = run_page(truth, out / "pages" / truth.id, quiet);

@@ -12,6 +12,7 @@
 #include "formats/page_file.hpp"
 #include "formats/trace_files.hpp"
 #include "pantin/image.hpp"
+#include "pipeline/figure_test.hpp"
 #include "pipeline/former_run.hpp"
 #include "pipeline/overrides.hpp"
 #include "pipeline/overview.hpp"
@@ -28,7 +29,7 @@ Detection detect_on(const RgbImage& picture, const PageInk& ink, const fs::path&
     const DetectionOptions& options = context.options().detection;
     const CharacterFinder* finder = options.detector == Detector::mask_rcnn ? &context.finder() : nullptr;
     try {
-        return detect(picture, ink, options, finder);
+        return detect(picture, ink, options, finder, make_figure_test(context));
     } catch (const Error& error) {
         throw Error(error.kind(), image.string() + ": " + error.what());
     }

@@ -35,6 +35,7 @@ public:
 
     Tensor router; // probabilities of the experts, [1, experts, 1, 1]
     Tensor type;   // probabilities [1, 4, 1, 1], in the order of type_names; empty without a type head
+    Tensor turn; // scores of the quarter turns clockwise that bring the input upright, [1, 4, 1, 1]; or empty
 };
 
 struct NetworkResult {
@@ -48,10 +49,6 @@ public:
     virtual ~SegmentationNetwork() = default;
     // ink: [1, 1, input, input], 0 background, 1 ink. Error(weights) when layers do not fit this input.
     virtual std::unique_ptr<EncodedInput> encode(const Tensor& ink, const Runtime& runtime) const = 0;
-
-    // Scores (logits) of the quarter turns clockwise that bring the input upright, [1, 4, 1, 1]; empty
-    // without a head for it. Errors as above.
-    virtual Tensor turn_scores(const Tensor& ink, const Runtime& runtime) const;
 
     // One pass. expert −1: the router decides.
     NetworkResult forward(const Tensor& ink, const Runtime& runtime, int expert = -1) const;

@@ -29,8 +29,6 @@ NetworkResult SegmentationNetwork::forward(const Tensor& ink, const Runtime& run
             std::move(answer.parts), expert};
 }
 
-Tensor SegmentationNetwork::turn_scores(const Tensor&, const Runtime&) const { return {}; }
-
 std::unique_ptr<SegmentationNetwork> load_segmentation_network(const WeightFile& file) {
     return network::load_network(file, architectures, "segmentation network");
 }

@@ -52,19 +52,6 @@ float sample(const float* plane, int side, double x, double y, float outside) {
                               v * ((1 - u) * at(x0, y0 + 1) + u * at(x0 + 1, y0 + 1)));
 }
 
-// Mean probability of the most probable part, weighted by the foreground.
-double confidence_of(const Tensor& parts) {
-    double probable = 0, all = 0;
-    for (std::size_t i = 0; i < parts.plane_size(); ++i) {
-        float most = 0;
-        for (int c = 1; c < parts.channels(); ++c) most = std::max(most, parts.plane(0, c)[i]);
-        const double foreground = 1.0 - parts.plane(0, 0)[i];
-        probable += foreground * most;
-        all += foreground;
-    }
-    return all > 0 ? probable / all : 0;
-}
-
 // Asks that expert about the view and brings its answer back to the drawing.
 void ask(View& view, int expert, const Runtime& runtime) {
     auto [pose, parts] = view.encoded->decode(expert, runtime);
@@ -112,6 +99,18 @@ Tensor weighted_mean(const std::vector<View>& views, Tensor View::*answer) {
 }
 
 } // namespace
+
+double confidence_of(const Tensor& parts) {
+    double probable = 0, all = 0;
+    for (std::size_t i = 0; i < parts.plane_size(); ++i) {
+        float most = 0;
+        for (int c = 1; c < parts.channels(); ++c) most = std::max(most, parts.plane(0, c)[i]);
+        const double foreground = 1.0 - parts.plane(0, 0)[i];
+        probable += foreground * most;
+        all += foreground;
+    }
+    return all > 0 ? probable / all : 0;
+}
 
 Tilt tilt_of(const Tensor& ink, double degrees) {
     constexpr double radians = math::pi / 180;

@@ -28,10 +28,12 @@ Tensor tilted(const Tensor& ink, const Tilt& tilt);
 // Each channel brought back to the drawing, bilinear; outside of the view channel 0 is 1, the others 0.
 Tensor straightened(const Tensor& parts, const Tilt& tilt);
 
+// Mean probability of the most probable part over the foreground; 0 without one.
+double confidence_of(const Tensor& parts);
+
 // Router, type, pose and parts are means over the views, weighted by a softmax of inverse_temperature ·
-// confidence. The confidence of a view is the mean probability of the most probable part over the foreground;
-// the result's is the largest of the views. The drawing itself is seen first. The expert is the one of the
-// mean router.
+// confidence; the result's confidence is the largest of the views. The drawing itself is seen first. The
+// expert is the one of the mean router.
 NetworkResult segment_views(const SegmentationNetwork& net, const Tensor& ink, const ViewOptions& options,
                             const Runtime& runtime);
 

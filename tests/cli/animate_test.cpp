@@ -275,6 +275,36 @@ TEST_CASE("A page that lies on its side is turned by --rotate before anything el
     CHECK(run_pantin({"detect", sideways, "--rotate", "45", "-o", out}).code == 2);
 }
 
+TEST_CASE("A page on its side or upside down is noticed, turned and told", "[cli]") {
+    const TemporaryFolder folder;
+    const RgbImage upright = load_image("testdata/quadruped.png");
+    const std::string out = (folder / "out").string(), wanted = (folder / "wanted").string();
+    for (const int degrees : {90, 180, 270}) {
+        CAPTURE(degrees);
+        const std::string file = (folder / ("held" + std::to_string(degrees) + ".png")).string();
+        save_png(file, turned(upright, degrees));
+        const Outcome run = run_pantin({"detect", file, "-o", out});
+        REQUIRE(run.code == 0);
+        CHECK(run.out.find("is turned clockwise by " + std::to_string(360 - degrees) + " degrees") !=
+              std::string::npos);
+        CHECK(json_of(fs::path(out) / "page.json")["rotate"] == 360 - degrees);
+        REQUIRE(run_pantin({"detect", file, "--rotate", std::to_string(360 - degrees), "-o", wanted}).code ==
+                0);
+        CHECK((read_all(out) == read_all(wanted)));
+        REQUIRE(run_pantin({"detect", file, "--rotate", "0", "-o", out}).code == 0);
+        CHECK(json_of(fs::path(out) / "page.json").count("rotate") == 0);
+    }
+    const std::string side = (folder / "held90.png").string();
+    REQUIRE(run_pantin({"detect", side, "--preset", "thesis", "-o", out}).code == 0);
+    CHECK(json_of(fs::path(out) / "page.json").count("rotate") == 0);
+    for (const char* page :
+         {"demo.png", "humanoid.png", "flying.png", "photo.jpg", "dog.png", "person.png"}) {
+        CAPTURE(page);
+        REQUIRE(run_pantin({"detect", std::string("testdata/") + page, "-o", out}).code == 0);
+        CHECK(json_of(fs::path(out) / "page.json").count("rotate") == 0);
+    }
+}
+
 TEST_CASE("A second run replaces the characters of the first and leaves other files alone",
           "[cli][end-to-end]") {
     const TemporaryFolder folder;

@@ -66,6 +66,13 @@ TEST_CASE("The segmentation network computes what PyTorch computes") {
     }
 }
 
+TEST_CASE("The head of turns computes what PyTorch computes") {
+    const Bytes bytes = read_file("testdata/segmenter_tiny_expected.safetensors");
+    const WeightFile expected(bytes, "expected");
+    const auto encoded = tiny_network().encode(tensor_of(expected, "input"), Runtime());
+    CHECK(largest_difference(encoded->turn, tensor_of(expected, "turn")) < 1e-4);
+}
+
 TEST_CASE("The network's bits depend neither on threads nor on the instruction set") {
     const SegmentationNetwork& net = tiny_network();
     Random random(2);
@@ -99,6 +106,8 @@ TEST_CASE("A weight file without a type head says nothing of the type") {
     const Tensor ink(1, 1, network->input, network->input);
     CHECK(network->forward(ink, Runtime()).type.size() == 0);
     CHECK(network->forward(ink, Runtime()).router.size() == 2);
+    const Bytes held = with_header_text("\"turns\"", "\"notes\"");
+    CHECK(load_network(WeightFile(held, "older"))->encode(ink, Runtime())->turn.size() == 0);
 }
 
 TEST_CASE("A weight file for another network is refused with the fact") {

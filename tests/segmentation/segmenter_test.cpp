@@ -108,4 +108,22 @@ TEST_CASE("The mask may be smaller than the drawing") {
     CHECK(result.labels.height() == 100);
 }
 
+TEST_CASE("A drawing that is turned by a quarter gets the answer of the upright one, turned back") {
+    Random random(3);
+    const GreyImage ink = ink_of_crop(ink_darkness(random_drawing(random, 48, 48)));
+    const TurnProbabilities upright = tiny().find_turn(ink);
+    REQUIRE(upright);
+    double sum = 0;
+    for (const double p : *upright) sum += p;
+    CHECK(sum == Approx(1));
+    CHECK((*upright)[0] < 0.9);                                        // else one look is enough
+    CHECK(*std::max_element(upright->begin(), upright->end()) > 0.26); // it is not indifferent
+    for (int k = 1; k < 4; ++k) {
+        const TurnProbabilities found = tiny().find_turn(turned(ink, 90 * k));
+        for (std::size_t more = 0; more < 4; ++more)
+            CHECK((*found)[more] ==
+                  Approx((*upright)[(more + static_cast<std::size_t>(k)) % 4]).margin(1e-6));
+    }
+}
+
 } // namespace pantin

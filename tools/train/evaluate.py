@@ -97,7 +97,8 @@ def predict(model, image):
 
 
 def run_pantin(binary, image):
-    """page -> label map of the page by the program, and what it says of the character ("expert", "type", …; {} when nothing was found)."""
+    """page -> label map of the page by the program, and what it says of the character ("expert", "type", "rotate", …; {} when
+    nothing was found)."""
     labels = np.zeros(image.shape, np.uint8)
     with tempfile.TemporaryDirectory() as folder:
         def step(name, *arguments):
@@ -105,15 +106,18 @@ def run_pantin(binary, image):
         cv2.imwrite(f"{folder}/page.png", image)
         if not step("detect", f"{folder}/page.png", "-o", f"{folder}/out"):
             return labels, {}
-        characters = json.load(open(f"{folder}/out/page.json"))["characters"]
-        found = max(characters, key=lambda c: c["box"][2] * c["box"][3])
+        page = json.load(open(f"{folder}/out/page.json"))
+        turn = page.get("rotate", 0) // 90                        # the program turned the page clockwise
+        labels = np.ascontiguousarray(np.rot90(labels, -turn))
+        found = max(page["characters"], key=lambda c: c["box"][2] * c["box"][3])
         place = os.path.join(folder, "out", found["folder"])
         if not step("segment", place):
-            return labels, {}
+            return np.rot90(labels, turn), {}
         x, y, w, h = found["box"]
         answer = cv2.imread(f"{place}/labels.png", cv2.IMREAD_GRAYSCALE)
         labels[y:y + h, x:x + w] = cv2.resize(answer, (w, h), interpolation=cv2.INTER_NEAREST)
-        facts = json.load(open(f"{place}/segmentation.json"))
+        labels = np.ascontiguousarray(np.rot90(labels, turn))
+        facts = {**json.load(open(f"{place}/segmentation.json")), "rotate": 90 * turn}
         facts["head"] = facts.pop("type", None)
         if step("skeletonize", place) and step("identify", place):
             facts["identification"] = json.load(open(f"{place}/identification.json"))

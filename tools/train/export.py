@@ -45,7 +45,7 @@ def read_safetensors(path):
 
 def tensors_of(model, kind):
     return {name: value.numpy().astype(TYPES[kind]) for name, value in model.state_dict().items()
-            if not name.endswith("num_batches_tracked")}
+            if not name.endswith("num_batches_tracked") and (model.knows_turn or not name.startswith("turn."))}
 
 
 def load(path, raw=False):
@@ -56,10 +56,11 @@ def load(path, raw=False):
         model = Segmenter(widths, decoder, int(facts["input"]), contexts, refine)
         state = {name: torch.from_numpy(value.copy()) for name, value in tensors.items()}
         model.load_state_dict(state, strict=False)
+        model.knows_turn = "turns" in facts
     else:
         checkpoint = torch.load(path, map_location="cpu")
         model = Segmenter(*(checkpoint[key] for key in ("widths", "decoder", "size", "contexts", "refine")))
-        model.load_state_dict(checkpoint["model" if raw else "average"])
+        model.load_state_dict(checkpoint["model" if raw else "average"], strict=False)      # older ones have fewer heads
     return model.eval()
 
 
@@ -67,6 +68,7 @@ def fixture(weights, expected):
     """tiny widths, random weights and statistics; one input (48 x 48) and what both experts and the other heads say."""
     torch.manual_seed(7)
     model = Segmenter((4, 6, 8, 10), (8, 6, 4), 48, (2, 4), (1, 2, 0))
+    model.knows_turn = True
     generator = torch.Generator().manual_seed(8)
     for name, value in model.state_dict().items():
         if name.endswith(("running_var", "norm.weight")):
@@ -77,9 +79,11 @@ def fixture(weights, expected):
     ink = (torch.rand(1, 1, 48, 48, generator=generator) > 0.7).float() * torch.rand(1, 1, 48, 48, generator=generator)
     with torch.no_grad():
         parts, router, pose, kind = model(ink)
+        turn = model.turn(model.stem(ink)[3])
     facts = metadata(model)
     write_safetensors(weights, tensors_of(model, "F32"), facts)
-    answers = {"input": ink, "router": router.softmax(1), "pose": pose.softmax(1), "type": kind.softmax(1)}
+    answers = {"input": ink, "router": router.softmax(1), "pose": pose.softmax(1), "type": kind.softmax(1),
+               "turn": turn}
     for name in EXPERTS:
         answers[f"probabilities.{name}"] = parts[name].softmax(1)
     write_safetensors(expected, {k: v.numpy().astype(np.float32) for k, v in answers.items()}, facts)

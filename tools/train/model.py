@@ -17,6 +17,7 @@ from labels import NAMES as LABELS  # noqa: E402
 
 EXPERTS = ["ground", "winged"]
 TYPES = ["humanoid", "quadruped", "flying", "other"]     # other: fish, insects, heads alone, things
+TURNS = 4                # quarter turns clockwise that bring a drawing upright: 0, 1, 2, 3
 POSES = ["E", "NE", "N", "NW", "W", "SW", "S", "SE"]
 INPUT = 256
 WIDTHS = (20, 40, 80, 112)
@@ -134,13 +135,13 @@ class Pose(nn.Module):
         return self.linear(self.conv(x).mean((2, 3)))
 
 
-class Kind(nn.Module):
-    """how the character moves (TYPES); `type` is a method of every module."""
+class Pooled(nn.Module):
+    """a head on mean and maximum of what a block sees."""
 
-    def __init__(self, inputs, width):
+    def __init__(self, inputs, width, outputs):
         super().__init__()
         self.conv = Block(inputs, width, 3, 2)
-        self.linear = nn.Linear(2 * width, len(TYPES))
+        self.linear = nn.Linear(2 * width, outputs)
 
     def forward(self, x):
         x = self.conv(x)
@@ -155,7 +156,9 @@ class Segmenter(nn.Module):
         self.stem = Stem(widths)
         self.router = Router(widths[3])
         self.pose = Pose(widths[3], decoder[0])
-        self.kind = Kind(widths[3], decoder[0])
+        self.kind = Pooled(widths[3], decoder[0], len(TYPES))       # how it moves; `type` is a method of every module
+        self.turn = Pooled(widths[3], decoder[0], TURNS)            # trained by train_turn.py, not by train.py
+        self.knows_turn = False
         self.experts = nn.ModuleDict({name: Expert(widths, decoder, contexts, refine) for name in EXPERTS})
 
     def forward(self, ink, experts=None):
@@ -188,7 +191,8 @@ def widen(state, model):
 def metadata(model):
     def listed(numbers):
         return ",".join(map(str, numbers))
-    return {"model": "pantin.segmenter", "version": "2", "input": str(model.size), "widths": listed(model.widths),
+    facts = {"model": "pantin.segmenter", "version": "2", "input": str(model.size), "widths": listed(model.widths),
             "decoder": listed(model.decoder), "contexts": listed(model.contexts), "refine": listed(model.refine),
             "experts": ",".join(EXPERTS), "labels": ",".join(LABELS),
             "poses": ",".join(POSES), "types": ",".join(TYPES)}
+    return {**facts, "turns": ",".join(str(90 * k) for k in range(TURNS))} if model.knows_turn else facts

@@ -63,6 +63,7 @@ struct Encoded : segmentation::EncodedInput {
         : network(net), features(std::move(stages)) {
         router = network.router->forward(features, runtime);
         if (network.type) type = network.type->forward(features, runtime);
+        if (network.turn) turn = network.turn->forward(features, runtime);
     }
     segmentation::Answer decode(int expert, const Runtime& runtime) const override {
         return {network.pose->forward(features, runtime),
@@ -74,10 +75,6 @@ struct Encoded : segmentation::EncodedInput {
 
 std::unique_ptr<segmentation::EncodedInput> Network::encode(const Tensor& ink, const Runtime& runtime) const {
     return std::make_unique<Encoded>(*this, stem.forward(ink, runtime), runtime);
-}
-
-Tensor Network::turn_scores(const Tensor& ink, const Runtime& runtime) const {
-    return turn ? turn->forward(stem.forward(ink, runtime), runtime) : Tensor();
 }
 
 } // namespace pantin::compact

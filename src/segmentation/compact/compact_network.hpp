@@ -87,7 +87,6 @@ struct Network : segmentation::SegmentationNetwork {
 
     std::unique_ptr<segmentation::EncodedInput> encode(const Tensor& ink,
                                                        const Runtime& runtime) const override;
-    Tensor turn_scores(const Tensor& ink, const Runtime& runtime) const override;
 };
 
 // Error(weights) naming the file and the fact.

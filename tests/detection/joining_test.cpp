@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Parts of a figure that were found as figures of their own.
+#include <catch2/catch.hpp>
+
+#include <set>
+
+#include "core/random.hpp"
+#include "detection/joining.hpp"
+#include "pantin/image.hpp"
+
+namespace pantin {
+namespace {
+
+// Filled boxes as groups 1, 2, …; scores .1, .2, …
+Grouping boxes_on(int width, int height, const std::vector<Box>& boxes) {
+    Grouping grouping{Grid<int>(width, height, 0), boxes, {}};
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const Box& box = boxes[i];
+        for (int y = box.y; y < box.y + box.height; ++y)
+            for (int x = box.x; x < box.x + box.width; ++x) grouping.groups(x, y) = static_cast<int>(i) + 1;
+        grouping.scores.push_back(0.1 * static_cast<double>(i + 1));
+    }
+    return grouping;
+}
+
+bool same_box(const Box& a, const Box& b) {
+    return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
+}
+
+} // namespace
+
+TEST_CASE("What touches a larger group and is no figure joins it; what is one, or stands apart, stays") {
+    // A ball (group 1) that touches a figure (2) at a corner, and a flower (3) a pixel away.
+    const Grouping page = boxes_on(40, 30, {{2, 2, 4, 4}, {6, 6, 10, 20}, {17, 20, 3, 3}});
+    std::set<int> asked;
+    const Grouping joined = join_pieces(page, [&](int group) {
+        asked.insert(group);
+        return false;
+    });
+    CHECK((asked == std::set<int>{0})); // the smaller one of those that touch
+    REQUIRE(joined.boxes.size() == 2);
+    CHECK(same_box(joined.boxes[0], {2, 2, 14, 24}));
+    CHECK(same_box(joined.boxes[1], {17, 20, 3, 3}));
+    CHECK((joined.scores == std::vector<double>{page.scores[1], page.scores[2]}));
+    CHECK(joined.groups(2, 2) == 1);
+    CHECK(joined.groups(10, 10) == 1);
+    CHECK(joined.groups(18, 21) == 2);
+    CHECK(joined.groups(0, 0) == 0);
+
+    const Grouping kept = join_pieces(page, [](int) { return true; });
+    CHECK(kept.groups == page.groups);
+    CHECK(kept.boxes.size() == 3);
+}
+
+TEST_CASE("A part of a part belongs to the whole, and to the one that it touches most") {
+    const Grouping chain = boxes_on(60, 20, {{0, 0, 2, 2}, {2, 0, 5, 5}, {7, 0, 20, 10}});
+    const Grouping whole = join_pieces(chain, [](int) { return false; });
+    REQUIRE(whole.boxes.size() == 1);
+    CHECK(same_box(whole.boxes[0], {0, 0, 27, 10}));
+    CHECK(whole.scores == std::vector<double>{chain.scores[2]});
+
+    // Between two figures: with one it has a side in common, with the other a corner.
+    const Grouping between = boxes_on(60, 40, {{20, 10, 4, 4}, {0, 0, 20, 30}, {24, 14, 20, 20}});
+    const Grouping given = join_pieces(between, [](int group) { return group != 0; });
+    REQUIRE(given.boxes.size() == 2);
+    CHECK(given.groups(21, 11) == given.groups(1, 1));
+}
+
+TEST_CASE("Joining keeps the ink: every pixel of it is in one group, inside that group's box") {
+    Random random(5);
+    for (int round = 0; round < 200; ++round) {
+        std::vector<Box> boxes;
+        for (int k = random.integer(0, 7); k > 0; --k)
+            boxes.push_back(
+                {random.integer(0, 30), random.integer(0, 30), random.integer(1, 9), random.integer(1, 9)});
+        const Grouping page = boxes_on(40, 40, boxes);
+        const Grouping joined = join_pieces(page, [&](int group) { return (group + round) % 3 == 0; });
+        CHECK(joined.scores.size() == joined.boxes.size());
+        for (int y = 0; y < 40; ++y)
+            for (int x = 0; x < 40; ++x) {
+                REQUIRE((joined.groups(x, y) > 0) == (page.groups(x, y) > 0));
+                if (joined.groups(x, y) == 0) continue;
+                REQUIRE(joined.groups(x, y) <= static_cast<int>(joined.boxes.size()));
+                const Box& box = joined.boxes[static_cast<std::size_t>(joined.groups(x, y)) - 1];
+                REQUIRE((x >= box.x && x < box.x + box.width && y >= box.y && y < box.y + box.height));
+            }
+    }
+}
+
+} // namespace pantin
