@@ -3,7 +3,8 @@
 //
 // A dataset is a folder (docs/formats.md, "Datasets"; tools/doodle writes such folders):
 //     image/<id>.png or .jpg      the page
-//     label/<id>.png              part labels of the page, 8-bit, value = label (optional)
+//     label/<id>.png              part labels of the page, 8-bit, value = label (optional; a page without
+//                                 counts in the table of types alone)
 //     instance/<id>.png           value = number of the character, 1, 2, … (optional; else all are one)
 //     index.ndjson                one object a line: id, and for one character type, species, pose, or for
 //                                 several characters: [{type, species, pose}, …] in the order of their
@@ -32,6 +33,9 @@ struct TruePage {
     std::filesystem::path image;
     LabelMap labels; // page size; empty when the dataset has none
     std::vector<TrueCharacter> characters;
+    // Whether it is known where its characters are: it has a label map, or there are none. Another page counts
+    // in the table of types alone.
+    bool is_labelled() const { return !labels.empty() || characters.empty(); }
 };
 // The ids of a dataset in the order of its index, and the truth of one page. Error(input) when something is
 // missing or malformed. Own.
@@ -66,6 +70,7 @@ struct FoundCharacter {
 // A true character and what became of it.
 struct CharacterResult {
     std::string page, type, species;
+    bool labelled = true; // whether its page is
     bool found = false; // its best detection overlaps it by one half or more
     std::string folder; // of that detection, below pages/<page>/
     double mask_overlap = 0, silhouette_overlap = 0;
@@ -81,7 +86,8 @@ struct CharacterResult {
 
 struct Evaluation {
     int pages = 0;
-    std::vector<FoundCharacter> found;
+    std::vector<std::string> labelled_pages; // their ids; the others stay out of detection and stages
+    std::vector<FoundCharacter> found;       // on labelled pages
     std::vector<CharacterResult> characters;
 };
 
@@ -91,8 +97,9 @@ Evaluation evaluate(const Dataset& dataset, const std::filesystem::path& out, co
 
 // Average precision: found characters by descending score, a hit overlaps a true character that no better one
 // took by `least_overlap` or more; area under the precision that is made monotone (every point counts).
-// least_overlap: intersection over union, in (0, 1]; by_mask: the detector's masks, else the silhouettes. In
-// [0, 1]; NaN without true characters. No error. After PASCAL VOC (Everingham et al. 2010).
+// least_overlap: intersection over union, in (0, 1]; by_mask: the detector's masks, else the silhouettes. Of
+// labelled pages alone: where nobody knows what is there, an answer is neither right nor wrong. In [0, 1]; NaN
+// without true characters. No error. After PASCAL VOC (Everingham et al. 2010).
 double average_precision(const Evaluation& evaluation, double least_overlap, bool by_mask);
 
 // --- reports -----------------------------------------------------------------------------------------------

@@ -164,6 +164,7 @@ CharacterResult judge(const TruePage& truth, std::size_t k, const std::vector<An
     result.page = truth.id;
     result.type = character.type;
     result.species = character.species;
+    result.labelled = truth.is_labelled();
     result.part_overlap.fill(-1);
     result.status = "not found";
     const Answer* answer = partner_of(truth, k, answers);
@@ -199,7 +200,9 @@ Evaluation evaluate(const Dataset& dataset, const fs::path& out, const Settings&
         quiet.progress = nullptr;
         quiet.warning = nullptr;
         const std::vector<Answer> answers = run_page(truth, out / "pages" / truth.id, quiet);
+        if (truth.is_labelled()) evaluation.labelled_pages.push_back(truth.id);
         for (const Answer& answer : answers) {
+            if (!truth.is_labelled()) continue;
             FoundCharacter found{truth.id, answer.score, -1, -1, 0, 0};
             std::tie(found.true_by_mask, found.mask_overlap) = best_partner(answer.mask, truth);
             std::tie(found.true_by_silhouette, found.silhouette_overlap) =

@@ -17,7 +17,9 @@ double CharacterResult::mean_overlap() const {
 }
 
 double average_precision(const Evaluation& evaluation, double least_overlap, bool by_mask) {
-    if (evaluation.characters.empty()) return std::numeric_limits<double>::quiet_NaN();
+    const auto all = std::count_if(evaluation.characters.begin(), evaluation.characters.end(),
+                                   [](const CharacterResult& c) { return c.labelled; });
+    if (all == 0) return std::numeric_limits<double>::quiet_NaN();
     std::vector<const FoundCharacter*> ranked;
     for (const FoundCharacter& found : evaluation.found) ranked.push_back(&found);
     std::stable_sort(ranked.begin(), ranked.end(), [](auto a, auto b) { return a->score > b->score; });
@@ -37,7 +39,7 @@ double average_precision(const Evaluation& evaluation, double least_overlap, boo
         best = std::max(best, precisions[i]);
         area += best;
     }
-    return area / static_cast<double>(evaluation.characters.size());
+    return area / static_cast<double>(all);
 }
 
 } // namespace pantin

@@ -51,6 +51,7 @@ std::vector<Column> segmentation_columns() {
 std::map<std::string, std::vector<const CharacterResult*>> groups_of(const Evaluation& evaluation) {
     std::map<std::string, std::vector<const CharacterResult*>> groups;
     for (const CharacterResult& c : evaluation.characters) {
+        if (!c.labelled) continue;
         groups["all"].push_back(&c);
         if (!c.type.empty()) groups["all, " + c.type].push_back(&c);
         if (!c.type.empty() && !c.species.empty()) groups["all, " + c.type + ", " + c.species].push_back(&c);
@@ -69,11 +70,12 @@ std::map<std::string, std::map<std::string, int>> confusion_of(const Evaluation&
 struct Stages {
     int all = 0, detected = 0, segmented = 0, skeleton = 0, identified = 0, rigged = 0;
 };
-// As in tables 6.1 to 6.3 of the thesis. Segmented: mean IoU of at least one half, where it is known;
-// identified: as its true type.
+// As in tables 6.1 to 6.3 of the thesis, of labelled pages. Segmented: mean IoU of at least one half, where it
+// is known; identified: as its true type.
 Stages stages_of(const Evaluation& evaluation) {
     Stages s;
     for (const CharacterResult& c : evaluation.characters) {
+        if (!c.labelled) continue;
         const bool skeleton = c.found && !c.identified.empty();
         ++s.all;
         s.detected += c.found;
@@ -98,6 +100,8 @@ std::vector<std::string_view> kinds_of(const std::vector<Warning>& warnings) {
     for (const Warning& warning : warnings) kinds.push_back(row_of(warning.kind).name);
     return kinds;
 }
+
+int unlabelled_pages(const Evaluation& e) { return e.pages - static_cast<int>(e.labelled_pages.size()); }
 
 int false_characters(const Evaluation& evaluation) {
     int count = 0;
@@ -132,7 +136,10 @@ Json number_or_null(double value) { return std::isnan(value) ? Json(nullptr) : J
 std::string evaluation_to_text(const Evaluation& e) {
     const Stages s = stages_of(e);
     std::string text =
-        line("%d pages, %d characters, %zu found\n\ndetection\n", e.pages, s.all, e.found.size());
+        line("%d pages, %d characters, %zu found\n", e.pages, s.all, e.found.size());
+    if (const int others = unlabelled_pages(e); others > 0)
+        text += line("%d without a label map: they count in the table of types alone\n", others);
+    text += "\ndetection\n";
     for (const bool by_mask : {true, false})
         text += line("  %-24s AP50 %s  AP75 %s\n", by_mask ? "detector's mask" : "silhouette",
                      cell(average_precision(e, 0.5, by_mask)).c_str(),
@@ -167,6 +174,7 @@ std::string evaluation_to_json(const Evaluation& e) {
     const Stages s = stages_of(e);
     Json json;
     json["pages"] = e.pages;
+    json["unlabelled_pages"] = unlabelled_pages(e);
     json["characters"] = s.all;
     json["detection"] = {{"found", e.found.size()},
                          {"missed", s.all - s.detected},

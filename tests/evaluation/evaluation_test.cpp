@@ -53,6 +53,47 @@ TEST_CASE("Perfect answers get an average precision of one whatever their scores
     CHECK(average_precision(evaluation, 0.5, true) == 1);
 }
 
+TEST_CASE("A page without a label map changes neither average precision nor the stages", "[cli][end-to-end]") {
+    const TemporaryFolder folder;
+    write_dataset(folder / "data");
+    const auto result = [&](const std::string& out) {
+        const Outcome outcome =
+            run_pantin({"evaluate", (folder / "data").string(), "-o", (folder / out).string()});
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+        CHECK((outcome.out.find("\n1 without a label map: ") != std::string::npos) == (out == "more"));
+        return nlohmann::json::parse(read_text(folder / out / "evaluation.json"));
+    };
+    const nlohmann::json before = result("before");
+    fs::copy_file(folder / "data/image/page-1.png", folder / "data/image/more.png");
+    const std::string index = read_text(folder / "data/index.ndjson");
+    write_file(folder / "data/index.ndjson",
+               std::string_view(index + "{\"id\": \"more\", \"type\": \"humanoid\"}\n"));
+    const nlohmann::json after = result("more");
+    CHECK((before["unlabelled_pages"] == 0 && after["unlabelled_pages"] == 1));
+    CHECK((before["pages"] == 2 && after["pages"] == 3));
+    for (const char* key : {"characters", "detection", "stages"}) CHECK(before[key] == after[key]);
+    int types = 0; // its type is known, so it is in that table
+    for (const auto& [answer, count] : after["identification"]["humanoid"].items()) types += count.get<int>();
+    CHECK(types == 3);
+    CHECK(after["results"].size() == before["results"].size() + 1);
+}
+
+TEST_CASE("Average precision is of labelled pages alone; a page that is known to be empty is one") {
+    Evaluation evaluation;
+    evaluation.characters.resize(3);
+    evaluation.found = {found("a", 0.9, 0, 0.8), found("a", 0.8, 1, 0.9)};
+    CHECK(average_precision(evaluation, 0.5, true) == Approx(2.0 / 3));
+    evaluation.characters[2].labelled = false;
+    CHECK(average_precision(evaluation, 0.5, true) == 1);
+    TruePage page;
+    CHECK(page.is_labelled());
+    page.characters.resize(1);
+    CHECK_FALSE(page.is_labelled());
+    page.labels = LabelMap(2, 2, 0);
+    CHECK(page.is_labelled());
+}
+
 TEST_CASE("pantin evaluate judges every character of a generated dataset", "[cli][end-to-end]") {
     const TemporaryFolder folder;
     write_dataset(folder / "data");
