@@ -12,20 +12,39 @@ namespace {
 
 struct Arguments {
     CommonOptions common;
-    std::string dataset, out;
+    std::string dataset, out, csv;
 };
+
+// A file of the tables, or a folder with them and a line a character.
+void write_csv(const std::filesystem::path& to, const Evaluation& evaluation) {
+    const std::string tables = measurements_to_csv(measurements_of(evaluation));
+    if (to.extension() == ".csv") {
+        if (to.has_parent_path()) create_folder(to.parent_path());
+        return write_file(to, tables);
+    }
+    create_folder(to);
+    write_file(to / "measurements.csv", tables);
+    write_file(to / "characters.csv", characters_to_csv(evaluation));
+}
+
+void write_results(const std::filesystem::path& out, const Evaluation& evaluation) {
+    create_folder(out);
+    write_file(out / "evaluation.json", evaluation_to_json(evaluation));
+    write_file(out / "evaluation.html", evaluation_to_html(evaluation));
+}
+
+void print_lines(const CommonOptions& options, std::string text) {
+    text.pop_back(); // print_result ends the line
+    print_result(options, text);
+}
 
 int run_evaluate(const Arguments& arguments) {
     const Settings settings = make_settings(arguments.common);
     const Dataset dataset(arguments.dataset);
-    const std::filesystem::path out = arguments.out;
-    const Evaluation evaluation = evaluate(dataset, out, settings);
-    create_folder(out);
-    write_file(out / "evaluation.json", evaluation_to_json(evaluation));
-    write_file(out / "evaluation.html", evaluation_to_html(evaluation));
-    std::string text = evaluation_to_text(evaluation);
-    text.pop_back(); // print_result ends the line
-    print_result(arguments.common, text);
+    const Evaluation evaluation = evaluate(dataset, arguments.out, settings);
+    write_results(arguments.out, evaluation);
+    if (!arguments.csv.empty()) write_csv(arguments.csv, evaluation);
+    print_lines(arguments.common, evaluation_to_text(evaluation));
     return 0;
 }
 
@@ -37,6 +56,8 @@ void add_evaluate(Command app) {
     command.option("DATASET", arguments->dataset, "folder with index.ndjson, image/, label/, instance/")
         .required();
     command.option("-o,--output", arguments->out, "folder for the results").required();
+    command.option("--csv", arguments->csv,
+                   "the tables as CSV, too: a file (NAME.csv), or a folder for them and a line a character");
     add_detector_option(command, arguments->common);
     add_common_options(command, arguments->common);
     command.run([arguments] { return run_evaluate(*arguments); });
