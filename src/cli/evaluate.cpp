@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pantin evaluate DATASET -o DIR
+// pantin evaluate DATASET -o DIR [--predictions DIR]
 #include <memory>
 
 #include "cli/command.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 struct Arguments {
     CommonOptions common;
-    std::string dataset, out, csv;
+    std::string dataset, out, csv, predictions;
 };
 
 // A file of the tables, or a folder with them and a line a character.
@@ -41,7 +41,9 @@ void print_lines(const CommonOptions& options, std::string text) {
 int run_evaluate(const Arguments& arguments) {
     const Settings settings = make_settings(arguments.common);
     const Dataset dataset(arguments.dataset);
-    const Evaluation evaluation = evaluate(dataset, arguments.out, settings);
+    const Evaluation evaluation = arguments.predictions.empty()
+                                      ? evaluate(dataset, arguments.out, settings)
+                                      : evaluate_predictions(dataset, arguments.predictions);
     write_results(arguments.out, evaluation);
     if (!arguments.csv.empty()) write_csv(arguments.csv, evaluation);
     print_lines(arguments.common, evaluation_to_text(evaluation));
@@ -56,6 +58,9 @@ void add_evaluate(Command app) {
     command.option("DATASET", arguments->dataset, "folder with index.ndjson, image/, label/, instance/")
         .required();
     command.option("-o,--output", arguments->out, "folder for the results").required();
+    command.option(
+        "--predictions", arguments->predictions,
+        "folder with another program's label/, instance/ or index.ndjson: they are judged, no step runs");
     command.option("--csv", arguments->csv,
                    "the tables as CSV, too: a file (NAME.csv), or a folder for them and a line a character");
     add_detector_option(command, arguments->common);
