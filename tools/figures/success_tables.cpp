@@ -194,8 +194,9 @@ std::string results_page(const fs::path& dataset, const fs::path& work, const st
            "the first clip; these verdicts, with their dates, are in [verdicts.csv](verdicts.csv) (newest: " +
            verdicts.newest() +
            "). Numbers beside the marks: overlap of the\nsilhouettes, mean overlap of the parts, parts with "
-           "an end-effector (limbs as drawn, not connected pieces; a wing that is folded on the body has no "
-           "end of its own and\ncounts as missed). "
+           "an end-effector (limbs as drawn, not connected\npieces, so legs that have grown together need "
+           "one each; a "
+           "wing that is folded on the body has no end of its own and counts as missed).\n"
            "The thesis judged every step by eye.\n\n" +
            success_tables(dataset, work, verdicts);
 }
