@@ -59,6 +59,7 @@ std::string version_text();
 void add_animate(Command app);
 void add_steps(Command app);
 void add_evaluate(Command app);
+void add_options(Command app);
 void add_model(Command app);
 void add_batch(Command app);
 void add_explain(Command app);

@@ -36,6 +36,7 @@ int run_command_line(int argc, char** argv) {
     cli::add_manual(app);
     cli::add_completion(app);
     cli::add_evaluate(app);
+    cli::add_options(app);
     cli::add_batch(app);
     cli::add_verify(app);
     return program.parse(argc, argv)();

@@ -6,6 +6,7 @@
 #include "core/file.hpp"
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
+#include "evaluation/dataset_files.hpp"
 #include "pantin/evaluation.hpp"
 #include "pantin/image.hpp"
 
@@ -20,8 +21,15 @@ std::string text_or_empty(const JsonReader& reader, const char* key) {
 }
 
 TrueCharacter read_character(const JsonReader& reader) {
-    return {
-        {}, text_or_empty(reader, "type"), text_or_empty(reader, "species"), text_or_empty(reader, "pose")};
+    return {{},
+            text_or_empty(reader, "type"),
+            text_or_empty(reader, "species"),
+            text_or_empty(reader, "pose"),
+            reader.has("limbs") ? static_cast<int>(reader.at("limbs").integer(0, 1000)) : -1};
+}
+
+double read_score(const JsonReader& reader) {
+    return reader.has("score") ? reader.at("score").number(0, 1) : 1;
 }
 
 // A grey PNG whose values are labels or numbers.
@@ -41,8 +49,8 @@ Mask where_equal(const Grid<std::uint8_t>& values, int value) {
 
 } // namespace
 
-Dataset::Dataset(const fs::path& folder) : folder_(folder) {
-    const fs::path index = folder / "index.ndjson";
+std::vector<IndexRow> read_index(const fs::path& index) {
+    std::vector<IndexRow> rows;
     std::istringstream lines(read_text(index));
     int number = 0;
     for (std::string line; std::getline(lines, line);) {
@@ -51,34 +59,51 @@ Dataset::Dataset(const fs::path& folder) : folder_(folder) {
         const std::string place = index.string() + ":" + std::to_string(number);
         const Json json = parse_json(line, place);
         const JsonReader reader(json, place);
-        Row row{reader.at("id").text(), {}};
+        IndexRow row{reader.at("id").text(), {}, {}};
         if (row.id.empty() || row.id.find('/') != std::string::npos || row.id.find("..") != std::string::npos)
             reader.at("id").fail("is no name of a file");
-        if (reader.has("characters"))
-            for (const JsonReader& item : reader.at("characters").elements(0, 64))
-                row.characters.push_back(read_character(item));
-        else
-            row.characters.push_back(read_character(reader));
-        rows_.push_back(std::move(row));
+        std::vector<JsonReader> items{reader};
+        if (reader.has("characters")) items = reader.at("characters").elements(0, 64);
+        for (const JsonReader& item : items) {
+            row.characters.push_back(read_character(item));
+            row.scores.push_back(read_score(item));
+        }
+        rows.push_back(std::move(row));
     }
-    if (rows_.empty()) throw Error(ErrorKind::input, index.string() + ": lists no drawing");
+    if (rows.empty()) throw Error(ErrorKind::input, index.string() + ": lists no drawing");
+    return rows;
+}
+
+PagePictures read_pictures(const fs::path& folder, const std::string& id) {
+    const fs::path label = folder / "label" / (id + ".png"), instance = folder / "instance" / (id + ".png");
+    PagePictures pictures;
+    if (fs::exists(label)) pictures.labels = read_values(label);
+    if (pictures.labels.empty() && !fs::exists(instance)) return pictures;
+    const Grid<std::uint8_t> numbers =
+        fs::exists(instance) ? read_values(instance) : foreground(pictures.labels);
+    if (!pictures.labels.empty() &&
+        (numbers.width() != pictures.labels.width() || numbers.height() != pictures.labels.height()))
+        throw Error(ErrorKind::input, instance.string() + ": has another size than the label map");
+    const int count = numbers.empty() ? 0 : *std::max_element(numbers.begin(), numbers.end());
+    for (int k = 1; k <= count; ++k) pictures.masks.push_back(where_equal(numbers, k));
+    return pictures;
+}
+
+Dataset::Dataset(const fs::path& folder) : folder_(folder) {
+    for (IndexRow& row : read_index(folder / "index.ndjson"))
+        rows_.push_back({std::move(row.id), std::move(row.characters)});
 }
 
 TruePage Dataset::page(std::size_t index) const {
     const Row& row = rows_[index];
     TruePage page{row.id, folder_ / "image" / (row.id + ".png"), {}, row.characters};
     if (!fs::exists(page.image)) page.image.replace_extension(".jpg");
-    const fs::path label = folder_ / "label" / (row.id + ".png"),
-                   instance = folder_ / "instance" / (row.id + ".png");
-    if (!fs::exists(label)) return page;
-    page.labels = read_values(label);
-    const Grid<std::uint8_t> numbers = fs::exists(instance) ? read_values(instance) : foreground(page.labels);
-    if (numbers.width() != page.labels.width() || numbers.height() != page.labels.height())
-        throw Error(ErrorKind::input, instance.string() + ": has another size than the label map");
-    const int count = numbers.empty() ? 0 : *std::max_element(numbers.begin(), numbers.end());
-    page.characters.resize(static_cast<std::size_t>(count));
-    for (int k = 1; k <= count; ++k)
-        page.characters[static_cast<std::size_t>(k) - 1].mask = where_equal(numbers, k);
+    if (!fs::exists(folder_ / "label" / (row.id + ".png"))) return page;
+    PagePictures pictures = read_pictures(folder_, row.id);
+    page.labels = std::move(pictures.labels);
+    page.characters.resize(pictures.masks.size());
+    for (std::size_t k = 0; k < pictures.masks.size(); ++k)
+        page.characters[k].mask = std::move(pictures.masks[k]);
     return page;
 }
 

@@ -29,7 +29,8 @@ inline void write_dataset(const std::filesystem::path& folder, int pages = 2) {
         save_png(folder / "instance" / (id + ".png"), page.instances);
         nlohmann::json row = {{"id", id}, {"characters", nlohmann::json::array()}};
         for (const doodle::Character& c : page.characters)
-            row["characters"].push_back({{"type", c.type}, {"species", c.species}, {"pose", c.pose}});
+            row["characters"].push_back(
+                {{"type", c.type}, {"species", c.species}, {"pose", c.pose}, {"limbs", c.limbs}});
         index << row.dump() << "\n";
     }
 }

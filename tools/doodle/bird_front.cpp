@@ -62,8 +62,8 @@ void add_front_feet(Builder& b, double x, double y, double l) {
         }
         b.stick(Label::limb, {hip, foot}, -1);
         for (int k = -1; k <= 1; ++k)
-            b.stick(Label::limb, {foot, foot + Point2d{k * r.uniform(1.5, 3.0), r.uniform(1.0, 3.0)}}, -1,
-                    2.0);
+            b.continued(b.stick(
+                Label::limb, {foot, foot + Point2d{k * r.uniform(1.5, 3.0), r.uniform(1.0, 3.0)}}, -1, 2.0));
     }
 }
 

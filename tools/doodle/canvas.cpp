@@ -314,19 +314,34 @@ private:
         return out;
     }
 
+    // A limb of which most is behind something else is not seen; its root, inside the body, often is not.
+    void count_limbs(const Grid<int>& shown, const std::vector<long>& area) {
+        constexpr double least = 0.2; // of its area
+        std::vector<long> visible(parts_.size());
+        for (const int part : shown)
+            if (part >= 0) ++visible[static_cast<std::size_t>(part)];
+        for (std::size_t i = 0; i < parts_.size(); ++i)
+            layer_.limbs += parts_[i].label == Label::limb && parts_[i].kind != PartKind::mark &&
+                            !parts_[i].continues && visible[i] > 0 &&
+                            static_cast<double>(visible[i]) >= least * static_cast<double>(area[i]);
+    }
+
     // Parts in painter's order over the ink's own labels.
     void label_parts() {
+        Grid<int> shown(width_, height_, -1); // the part of a pixel
+        std::vector<long> area(parts_.size());
         for (std::size_t i : order_) {
             const Part& part = parts_[i];
             if (part.kind == PartKind::mark) continue;
             const auto set = [&](int x, int y) {
                 layer_.labels(x, y) = static_cast<std::uint8_t>(part.label);
+                shown(x, y) = static_cast<int>(i);
             };
             if (part.kind == PartKind::region) {
                 const Box& box = masks_[i].box;
                 for (int y = 0; y < box.height; ++y)
                     for (int x = 0; x < box.width; ++x)
-                        if (masks_[i].values(x, y)) set(box.x + x, box.y + y);
+                        if (masks_[i].values(x, y)) set(box.x + x, box.y + y), ++area[i];
                 continue;
             }
             const double radius = std::max(0.5 * part.thickness * hand_.pen * part.ink_width, 0.8);
@@ -337,10 +352,12 @@ private:
                 for (int x = 0; x < band.box.width; ++x) {
                     const int px = band.box.x + x, py = band.box.y + y;
                     const int top = top_(px, py);
+                    area[i] += band.values(x, y) >= 0.5f;
                     if (band.values(x, y) >= 0.5f && !(top >= 0 && hides(static_cast<std::size_t>(top), i)))
                         set(px, py);
                 }
         }
+        count_limbs(shown, area);
         complete_silhouette(layer_.labels, hand_.pen);
     }
 

@@ -55,6 +55,7 @@ Hand natural_hand(const Hand& hand, Random& random);
 struct Layer {
     Grid<Colour> ink; // on the hand's ground
     LabelMap labels;
+    int limbs = 0; // that are seen: arms, legs, fins, without hands and feet of their own
 };
 
 // Scales, mirrors, tilts and moves the figure into the given area; returns the way it faces then.

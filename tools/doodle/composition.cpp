@@ -56,12 +56,12 @@ Box Composition::lay(const Drawn& drawn, std::uint8_t id) {
 void Composition::add_character(Figure figure, const std::string& pose, const Hand& hand, Random& random) {
     const Drawn drawn = draw_apart(figure, hand, random);
     const Box box = lay(drawn, static_cast<std::uint8_t>(page.characters.size() + 1));
-    page.characters.push_back({figure.type, figure.species, pose, box});
+    page.characters.push_back({figure.type, figure.species, pose, box, drawn.layer.limbs});
 }
 
 void Composition::add_thing(Figure figure, const Hand& hand, Random& random) {
     const Box box = lay(draw_apart(figure, hand, random), 0);
-    page.things.push_back({figure.type, figure.species, "S", box});
+    page.things.push_back({figure.type, figure.species, "S", box, -1});
 }
 
 } // namespace pantin::doodle

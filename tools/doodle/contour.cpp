@@ -40,23 +40,26 @@ void add_toes(Builder& b, Point2d foot, double size, double heading) {
     case 0:
         return;
     case 1: // one line
-        b.stick(Label::limb,
-                {foot - (r.uniform(0.0, 0.6) * size) * direction(heading), foot + size * direction(heading)},
-                -1, 2.0);
+        b.continued(b.stick(
+            Label::limb,
+            {foot - (r.uniform(0.0, 0.6) * size) * direction(heading), foot + size * direction(heading)}, -1,
+            2.0));
         return;
     case 2: // a webbed foot
-        b.region(
+        b.continued(b.region(
             Label::limb,
             {foot, foot + size * direction(heading - 0.25), foot + (0.9 * size) * direction(heading + 0.5)},
-            -0.9);
+            -0.9));
         return;
     default: {
         const double fan = r.uniform(0.45, 0.8),
                      turn = r.chance(0.4) ? 0.5 * pi - heading : r.uniform(0.0, 0.5);
         for (int k = -1; k <= 1; ++k)
-            b.stick(Label::limb, {foot, foot + b.jitter(size, 0.2) * direction(heading + turn + fan * k)}, -1,
-                    2.0);
-        if (r.chance(0.3)) b.stick(Label::limb, {foot, foot - (0.6 * size) * direction(heading)}, -1, 2.0);
+            b.continued(b.stick(Label::limb,
+                                {foot, foot + b.jitter(size, 0.2) * direction(heading + turn + fan * k)}, -1,
+                                2.0));
+        if (r.chance(0.3))
+            b.continued(b.stick(Label::limb, {foot, foot - (0.6 * size) * direction(heading)}, -1, 2.0));
     }
     }
 }

@@ -93,6 +93,7 @@ Drawn draw_alone(const std::string& what, Random& random, Random& varied, const 
     drawn.layer = draw_figure(figure, type == "thing" ? natural_hand(hand, random) : hand, random,
                               options.width, options.height);
     drawn.character.box = label_box(drawn.layer.labels);
+    drawn.character.limbs = drawn.layer.limbs;
     return drawn;
 }
 

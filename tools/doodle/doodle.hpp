@@ -34,6 +34,9 @@ struct Character {
     std::string species; // what was drawn, e.g. "dog"
     std::string pose;    // the way it faces on the page: E, NE, N, NW, W, SW, S, SE
     Box box;             // smallest box of its label pixels
+    // Arms, legs and fins that are seen, hands and feet not counted: legs drawn as one, or crossed, are two,
+    // which the label map does not tell. −1: not known.
+    int limbs = -1;
 };
 
 // Labels: 0 background, 1 head (ears, hair, hat, beak, horns), 2 body (neck), 3 limb, 4 tail, 5 wing. The

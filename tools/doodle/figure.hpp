@@ -29,6 +29,7 @@ struct Part {
     int owner = -1;         // of a mark: the region on which it is visible; −1: everywhere
     int paint = 0;          // index of the crayon that colours it in
     int within = -1;        // a piece of that region: clipped to it, hides no line
+    bool continues = false; // a hand, toes, what it holds: no limb of its own, but more of the one before
 };
 
 struct Figure {
@@ -63,6 +64,7 @@ public:
     int limb(Label label, const Path& midline, const std::vector<double>& radii, double depth,
              RibbonEnds ends = {});
     int stick(Label label, Path line, double depth = 0.0, double thickness = 2.5);
+    int continued(int index) { return part(index).continues = true, index; }
     // A piece of a region with a label of its own and no line: the head of an outline drawn in one go.
     int piece(int region, Label label, Path area);
     int mark(int owner, Path line, bool closed = false, double ink_width = 1.0);

@@ -213,7 +213,7 @@ void add_bird_legs(Builder& b, const Bird& s, bool standing) {
         }
         const double t = r.uniform(2.5, 4.5), heading = standing ? 0.15 : 2.6;
         for (int k = -1, toes = r.integer(0, 2); k <= 1 && toes > 0; ++k)
-            b.stick(Label::limb, {foot, foot + t * direction(heading + 0.6 * k)}, -1, 2.0);
+            b.continued(b.stick(Label::limb, {foot, foot + t * direction(heading + 0.6 * k)}, -1, 2.0));
         if (!standing && r.chance(0.4)) break;
     }
 }
@@ -470,8 +470,11 @@ void build_owl(Builder& b) {
         const Path line{{0.85 * s * w, -0.6 * l}, {out * s * w, 0.0}, {0.95 * s * w * out, drop * l}};
         b.attach(b.limb(Label::wing, line, {2.0, 0.28 * w, 0.6}, r.chance(0.5) ? 0.7 : -0.6), trunk);
         const Point2d foot{0.4 * s * w, 0.95 * l};
-        for (int k = -1; k <= 1; ++k)
-            b.stick(Label::limb, {foot, foot + Point2d{1.8 * k, r.uniform(3.0, 5.0)}}, -0.3, 2.0);
+        for (int k = -1; k <= 1; ++k) { // three toes are one foot
+            const int toe =
+                b.stick(Label::limb, {foot, foot + Point2d{1.8 * k, r.uniform(3.0, 5.0)}}, -0.3, 2.0);
+            if (k > -1) b.continued(toe);
+        }
     }
     b.mark(head, {f.at(-0.12, 0.2), f.at(0, 0.55), f.at(0.12, 0.2)}, true);
     if (r.chance(0.5)) add_pattern(b, trunk, {{0, 0}, w, l, 0}, "spots");

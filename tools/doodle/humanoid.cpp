@@ -228,12 +228,12 @@ void add_extremity(Builder& b, int limb, Point2d end, Point2d along, double size
         const int n = r.integer(2, 5);
         for (int i = 0; i < n; ++i) {
             const double a = n == 1 ? 0 : -0.7 + 1.4 * i / (n - 1);
-            b.stick(Label::limb, {end, end + (size * 0.9) * rotated(along, a)}, depth, 2.0);
+            b.continued(b.stick(Label::limb, {end, end + (size * 0.9) * rotated(along, a)}, depth, 2.0));
         }
         return;
     }
     const Path hand = ellipse(end + (0.5 * size) * along, 0.6 * size, 0.5 * size);
-    const int index = b.region(Label::limb, hand, depth + 0.1);
+    const int index = b.continued(b.region(Label::limb, hand, depth + 0.1));
     if (r.chance(0.6)) b.merge(index, limb);
 }
 
@@ -271,19 +271,19 @@ void add_foot(Builder& b, int leg, Point2d ankle, int side, const Person& p, dou
     Random& r = b.random;
     if (p.stick_legs) {
         if (r.chance(0.7)) {
-            const int foot =
+            const int foot = b.continued(
                 b.stick(Label::limb,
-                        {ankle, ankle + Point2d{side * r.uniform(3.0, 6.5), r.uniform(-0.6, 0.8)}}, depth);
+                        {ankle, ankle + Point2d{side * r.uniform(3.0, 6.5), r.uniform(-0.6, 0.8)}}, depth));
             b.merge(foot, leg);
         }
         return;
     }
     if (r.chance(0.2)) return;
     const double size = p.leg_radius * r.uniform(1.2, 1.9);
-    const int foot = b.region(
+    const int foot = b.continued(b.region(
         Label::limb,
         ellipse(ankle + Point2d{0.6 * side * size, 0}, size, 0.55 * size, 0, r.chance(0.3) ? 3.5 : 2.0),
-        depth + 0.1);
+        depth + 0.1));
     if (r.chance(0.5)) b.merge(foot, leg);
 }
 

@@ -35,10 +35,12 @@ std::string name_of_page(int index) {
 }
 
 Json describe(const doodle::Character& c) {
-    return {{"type", c.type},
-            {"species", c.species},
-            {"pose", c.pose},
-            {"box", {c.box.x, c.box.y, c.box.width, c.box.height}}};
+    Json json = {{"type", c.type},
+                 {"species", c.species},
+                 {"pose", c.pose},
+                 {"box", {c.box.x, c.box.y, c.box.width, c.box.height}}};
+    if (c.limbs >= 0) json["limbs"] = c.limbs;
+    return json;
 }
 
 // A list of types for every page, or the one type, or the three in turn.

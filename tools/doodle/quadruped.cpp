@@ -121,13 +121,14 @@ void add_hoof(Builder& b, int leg, Point2d toe, double radius, bool stick, doubl
     Random& r = b.random;
     if (stick) {
         if (r.chance(0.3))
-            b.merge(b.stick(Label::limb, {toe, toe + Point2d{r.uniform(2.0, 4.5), 0}}, depth), leg);
+            b.merge(b.continued(b.stick(Label::limb, {toe, toe + Point2d{r.uniform(2.0, 4.5), 0}}, depth)),
+                    leg);
         return;
     }
     const int kind = r.integer(0, 5);
     if (kind == 0) { // a paw
-        const int paw = b.region(
-            Label::limb, ellipse(toe + Point2d{0.5 * radius, 0}, 1.5 * radius, 0.8 * radius), depth + 0.1);
+        const int paw = b.continued(b.region(
+            Label::limb, ellipse(toe + Point2d{0.5 * radius, 0}, 1.5 * radius, 0.8 * radius), depth + 0.1));
         if (r.chance(0.7)) b.merge(paw, leg);
     } else if (kind == 1) { // toes
         for (int i = -1; i <= 1; ++i)

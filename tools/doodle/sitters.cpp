@@ -148,7 +148,8 @@ void build_sitting_side(Builder& b) {
     const std::size_t n = part.outline.points.size();
     for (std::size_t i = 0; i < n / 3; ++i) part.outline.undrawn[i] = 1; // its line is a bow
     if (r.chance(0.7))
-        b.limb(Label::limb, {{-0.4 * x, 0.95 * y}, {r.uniform(-0.1, 0.3) * x, 0.98 * y}}, {0.13 * y}, 0.45);
+        b.continued(b.limb(Label::limb, {{-0.4 * x, 0.95 * y}, {r.uniform(-0.1, 0.3) * x, 0.98 * y}},
+                           {0.13 * y}, 0.45));
     add_any_tail(b, {-0.85 * x, 0.8 * y}, -1, r.uniform(10, 28), trunk);
 }
 
@@ -182,7 +183,8 @@ void build_lying(Builder& b) {
     }
     if (r.chance(0.7)) {
         b.region(Label::limb, ellipse({-0.6 * x, 0.45 * y}, 0.28 * x, 0.5 * y), 0.5);
-        b.limb(Label::limb, {{-0.6 * x, 0.95 * y}, {r.uniform(-0.4, -0.1) * x, 0.97 * y}}, {t}, 0.55);
+        b.continued(
+            b.limb(Label::limb, {{-0.6 * x, 0.95 * y}, {r.uniform(-0.4, -0.1) * x, 0.97 * y}}, {t}, 0.55));
     }
     add_any_tail(b, {-0.92 * x, 0.3 * y}, -1, r.uniform(12, 30), trunk);
 }
@@ -207,7 +209,7 @@ void build_frog(Builder& b) {
         b.piece(trunk, Label::head, beyond({0.55 * x, -0.7 * y}, {1, -0.35}, 2.5 * y, 50));
         add_eye(b, -1, {0.85 * x, -1.5 * y}, 0.25 * y);
         b.region(Label::limb, ellipse({-0.5 * x, 0.4 * y}, 0.5 * x, 0.45 * y, -0.4), 0.5);
-        b.limb(Label::limb, {{-0.6 * x, 0.9 * y}, {0.2 * x, 1.05 * y}}, {1.5, 1.5}, 0.6);
+        b.continued(b.limb(Label::limb, {{-0.6 * x, 0.9 * y}, {0.2 * x, 1.05 * y}}, {1.5, 1.5}, 0.6));
         b.limb(Label::limb, {{0.5 * x, 0.3 * y}, {0.7 * x, 1.0 * y}, {1.0 * x, 1.05 * y}}, {1.8, 1.5, 1.3},
                0.6);
         return;

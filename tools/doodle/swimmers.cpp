@@ -175,7 +175,8 @@ void add_claw(Builder& b, Point2d c, double angle, double size) {
         return c + rotated({along * size, side * size}, angle);
     };
     if (r.chance(0.3)) {
-        b.region(Label::limb, ellipse(c + (0.6 * size) * direction(angle), size, 0.7 * size, angle), 0.2);
+        b.continued(b.region(Label::limb,
+                             ellipse(c + (0.6 * size) * direction(angle), size, 0.7 * size, angle), 0.2));
         b.mark(-1, {at(1.6, 0), at(0.5, 0)});
         return;
     }
@@ -185,7 +186,7 @@ void add_claw(Builder& b, Point2d c, double angle, double size) {
         .to(at(0.8, 0.0))
         .to(at(1.5, 0.45))
         .through({at(0.8, 0.75), at(0, 0)});
-    b.region(Label::limb, k.points, 0.2);
+    b.continued(b.region(Label::limb, k.points, 0.2));
 }
 
 void build_crab(Builder& b) {

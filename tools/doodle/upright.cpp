@@ -199,7 +199,8 @@ void build_snowman(Builder& b) {
             tip = root + Point2d{side * r.uniform(10, 24), r.uniform(-16, 6)};
         b.stick(Label::limb, {root, tip}, 0.5);
         for (int k = -1; k <= 1 && fingers; k += 2)
-            b.stick(Label::limb, {mix(root, tip, 0.75), tip + Point2d{side * 1.0, 4.0 * k}}, 0.5, 2.0);
+            b.continued(
+                b.stick(Label::limb, {mix(root, tip, 0.75), tip + Point2d{side * 1.0, 4.0 * k}}, 0.5, 2.0));
     }
 }
 
@@ -297,7 +298,8 @@ void build_side_person(Builder& b) {
         const Point2d hip{0, s.bottom() - 0.08 * s.length}, knee = hip + (0.5 * s.leg) * outwards(thigh, 1),
                                                             foot = knee + (0.5 * s.leg) * outwards(shin, 1);
         add_limb(b, trunk, {hip, knee, foot}, s.thick, s.legs, i == 0 ? -0.5 : -1, joined);
-        if (r.chance(0.7)) b.stick(Label::limb, {foot, foot + Point2d{r.uniform(3.0, 6.0), 0}}, -0.5);
+        if (r.chance(0.7))
+            b.continued(b.stick(Label::limb, {foot, foot + Point2d{r.uniform(3.0, 6.0), 0}}, -0.5));
         const Point2d shoulder{0, s.top + 0.15 * s.length};
         const double upper = way == 2 ? r.uniform(0.3, 1.4) : -swing * r.uniform(0.2, 1.0),
                      low = upper + r.uniform(0.1, 1.3);
@@ -373,7 +375,7 @@ void build_side_upright(Builder& b) {
         b.attach(b.limb(Label::limb, {hip, heel}, {0.6 * w, 0.3 * w}, r.chance(0.5) ? 0.5 : -0.5,
                         {Cap::round, Cap::round, true, false}),
                  trunk);
-        b.limb(Label::limb, {heel - Point2d{1, 0}, heel + Point2d{foot, 0}}, {0.25 * w}, 0.4);
+        b.continued(b.limb(Label::limb, {heel - Point2d{1, 0}, heel + Point2d{foot, 0}}, {0.25 * w}, 0.4));
     }
     add_hind_tail(b, trunk, {{}, w, 0.5 * l, lean}, species);
     b.figure.heading = 0;

@@ -94,8 +94,8 @@ int add_limb(Builder& b, int trunk, const Path& line, double thick, Limbs kind, 
         const Point2d end = line.back(), along = unit(end - line[line.size() - 2]);
         const int hand = r.integer(0, 5);
         for (int k = -1; k <= 1 && hand == 0; ++k)
-            b.stick(Label::limb, {end, end + 3.0 * rotated(along, 0.7 * k)}, depth, 2.0);
-        if (hand == 1) b.region(Label::limb, ellipse(end + 1.5 * along, 2.2, 2.0), depth + 0.1);
+            b.continued(b.stick(Label::limb, {end, end + 3.0 * rotated(along, 0.7 * k)}, depth, 2.0));
+        if (hand == 1) b.continued(b.region(Label::limb, ellipse(end + 1.5 * along, 2.2, 2.0), depth + 0.1));
         return limb;
     }
     if (kind == Limbs::loops) { // a long oval
@@ -113,7 +113,8 @@ int add_limb(Builder& b, int trunk, const Path& line, double thick, Limbs kind, 
     const int limb = b.limb(Label::limb, line, {root, thick, tip}, depth, ends);
     if (joined || open) b.merge(limb, trunk);
     if (kind == Limbs::ribbons && r.chance(0.35)) {
-        const int hand = b.region(Label::limb, ellipse(line.back(), 1.5 * thick, 1.2 * thick), depth + 0.1);
+        const int hand =
+            b.continued(b.region(Label::limb, ellipse(line.back(), 1.5 * thick, 1.2 * thick), depth + 0.1));
         if (r.chance(0.6)) b.merge(hand, limb);
     }
     return limb;
@@ -195,11 +196,11 @@ void add_legs(Builder& b, const Body& s, int trunk) {
                  joined);
         if (!feet) continue;
         if (s.legs == Limbs::lines)
-            b.stick(Label::limb, {foot, foot + Point2d{side * r.uniform(2.0, 6.0), r.uniform(-0.5, 1.0)}},
-                    -0.6);
+            b.continued(b.stick(
+                Label::limb, {foot, foot + Point2d{side * r.uniform(2.0, 6.0), r.uniform(-0.5, 1.0)}}, -0.6));
         else
-            b.region(Label::limb, ellipse(foot + Point2d{side * 0.8 * s.thick, 0}, 1.8 * s.thick, s.thick),
-                     -0.4);
+            b.continued(b.region(
+                Label::limb, ellipse(foot + Point2d{side * 0.8 * s.thick, 0}, 1.8 * s.thick, s.thick), -0.4));
     }
 }
 
@@ -218,15 +219,17 @@ void add_held(Builder& b, Point2d hand) {
         break;
     }
     case 1: // a sword or a stick
-        b.stick(
+        b.continued(b.stick(
             Label::limb,
             {hand - Point2d{side * 2, -3}, hand + Point2d{side * r.uniform(4.0, 16.0), -r.uniform(8, 22)}}, 2,
-            2.0);
-        if (r.chance(0.5)) b.stick(Label::limb, {hand + Point2d{-2, -3}, hand + Point2d{3, 0}}, 2, 2.0);
+            2.0));
+        if (r.chance(0.5))
+            b.continued(b.stick(Label::limb, {hand + Point2d{-2, -3}, hand + Point2d{3, 0}}, 2, 2.0));
         break;
     case 2: { // a ball
         const double size = r.uniform(3, 6);
-        b.region(Label::limb, ellipse(hand + Point2d{side * 2, 2}, size, size * r.uniform(0.8, 1.2)), 2);
+        b.continued(
+            b.region(Label::limb, ellipse(hand + Point2d{side * 2, 2}, size, size * r.uniform(0.8, 1.2)), 2));
         break;
     }
     case 3: { // a flag
@@ -247,10 +250,10 @@ void add_held(Builder& b, Point2d hand) {
     }
     default: { // a bag
         const double w = r.uniform(3, 6);
-        b.region(Label::limb,
-                 {hand + Point2d{-w, 4}, hand + Point2d{w, 4}, hand + Point2d{w, 11}, hand + Point2d{-w, 11}},
-                 2);
-        b.stick(Label::limb, {hand + Point2d{-w, 4}, hand, hand + Point2d{w, 4}}, 2, 1.5);
+        b.continued(b.region(
+            Label::limb,
+            {hand + Point2d{-w, 4}, hand + Point2d{w, 4}, hand + Point2d{w, 11}, hand + Point2d{-w, 11}}, 2));
+        b.continued(b.stick(Label::limb, {hand + Point2d{-w, 4}, hand, hand + Point2d{w, 4}}, 2, 1.5));
     }
     }
 }

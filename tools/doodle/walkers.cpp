@@ -294,7 +294,8 @@ void add_legs(Builder& b, const Walker& a, int trunk, bool lines) {
         if (manner <= 3) {
             b.stick(Label::limb, bent ? Path{hip, knee, toe} : Path{hip, toe}, -1);
             if (foot)
-                b.stick(Label::limb, {toe, toe + Point2d{r.uniform(2.0, 5.0), r.uniform(-0.5, 0.5)}}, -1);
+                b.continued(b.stick(Label::limb,
+                                    {toe, toe + Point2d{r.uniform(2.0, 5.0), r.uniform(-0.5, 0.5)}}, -1));
             continue;
         }
         const double depth = i % 2 ? -1.0 : -0.5, wide = w * (manner == 8 ? 1.3 : 1.0);
@@ -304,8 +305,8 @@ void add_legs(Builder& b, const Walker& a, int trunk, bool lines) {
                                {Cap::flat, end, true, open});
         if (pairs) b.merge(leg, trunk); // its lines run into the belly's
         if (foot && !open && r.chance(0.8)) {
-            const int paw = b.region(
-                Label::limb, ellipse(toe + Point2d{0.8 * wide, 0}, 1.6 * wide, 0.9 * wide), depth + 0.1);
+            const int paw = b.continued(b.region(
+                Label::limb, ellipse(toe + Point2d{0.8 * wide, 0}, 1.6 * wide, 0.9 * wide), depth + 0.1));
             b.merge(paw, leg);
         }
         if (manner == 9 && i % 2 == 1) b.merge(leg, leg - 1);

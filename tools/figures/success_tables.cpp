@@ -20,71 +20,27 @@ namespace fs = std::filesystem;
 
 // What counts as success where the truth is known.
 constexpr double least_silhouette = 0.5, least_parts = 0.6; // intersection over union; 0.5 as in AP50
-constexpr double least_piece = 0.01; // of the figure: smaller pieces of a part need no end-effector
-constexpr double near_end = 0.03;    // of the figure's longer side
 
 struct Judged {
     CharacterResult result;
-    int pieces = 0,
-        reached = 0; // of the truth's heads, limbs, tails and wings: how many have an end-effector
     std::size_t vertices = 0, edges = 0, raw_vertices = 0; // of the skeleton graph, and before the heuristics
     std::string type; // that was identified; "" when it did not get so far
 
     bool detected() const { return result.found && result.mask_overlap >= least_silhouette; }
     bool segmented() const { return result.found && result.mean_overlap() >= least_parts; }
-    bool skeletonized() const { return pieces > 0 && reached == pieces; }
+    bool skeletonized() const { return result.ends.all(); }
     bool identified() const { return type == result.type; }
 };
 
-// The skeleton's end-effectors on the page.
-std::vector<std::pair<Point2d, Label>> ends_on_page(const SkeletonGraph& graph,
-                                                    const PageCharacter& character) {
-    std::vector<std::pair<Point2d, Label>> ends;
-    for (const SkeletonVertex& v : graph.vertices)
-        if (v.end)
-            ends.push_back({{character.box.x + (v.x + 0.5) / character.scale - 0.5,
-                             character.box.y + (v.y + 0.5) / character.scale - 0.5},
-                            v.label});
-    return ends;
-}
-
-void judge_skeleton(Judged& judged, const TruePage& truth, const SkeletonGraph& graph,
-                    const PageCharacter& character) {
-    const Mask figure = foreground(truth.labels);
-    const double area = static_cast<double>(std::count(figure.begin(), figure.end(), 1));
-    const auto ends = ends_on_page(graph, character);
-    for (const Label label : part_labels) {
-        if (role_of(label) == PartRole::trunk) continue;
-        Mask part(figure.width(), figure.height());
-        for (std::size_t i = 0; i < part.size(); ++i)
-            part.data()[i] = truth.labels.data()[i] == static_cast<int>(label);
-        const Components components = connected_components(part);
-        for (const Component& piece : components.list) {
-            if (piece.area < least_piece * area) continue;
-            ++judged.pieces;
-            const double reach = near_end * std::max(character.box.width, character.box.height);
-            const Mask near = dilate_disc(component_mask(components, piece.id), reach);
-            judged.reached += std::any_of(ends.begin(), ends.end(), [&](const auto& end) {
-                return end.second == label && near.value_or(static_cast<int>(std::rint(end.first.x)),
-                                                            static_cast<int>(std::rint(end.first.y)), 0);
-            });
-        }
-    }
-}
-
-Judged judge(const CharacterResult& result, const TruePage& truth, const fs::path& pages,
+Judged judge(const CharacterResult& result, const fs::path& pages,
              const std::vector<ReferenceSkeleton>& references, const Options& options) {
     Judged judged;
     judged.result = result;
     if (!result.found) return judged;
     const fs::path folder = pages / result.page / result.folder;
-    const Page page = read_page(pages / result.page / "page.json");
-    const auto character = std::find_if(page.characters.begin(), page.characters.end(),
-                                        [&](const PageCharacter& c) { return c.folder == result.folder; });
     const fs::path skeleton = folder / "skeleton.json", identification = folder / "identification.json";
     if (!fs::exists(skeleton)) return judged;
     const SkeletonGraph graph = skeleton_from_json(read_text(skeleton), skeleton.string());
-    judge_skeleton(judged, truth, graph, *character);
     judged.vertices = graph.vertices.size();
     judged.edges = graph.edges.size();
     judged.raw_vertices =
@@ -103,10 +59,8 @@ std::vector<Judged> judge_all(const fs::path& dataset, const fs::path& out, cons
     const Evaluation evaluation = evaluate(drawings, out, settings);
     const std::vector<ReferenceSkeleton> references = load_references();
     std::vector<Judged> all;
-    for (std::size_t i = 0; i < drawings.size(); ++i)
-        for (const CharacterResult& result : evaluation.characters)
-            if (const TruePage truth = drawings.page(i); result.page == truth.id)
-                all.push_back(judge(result, truth, out / "pages", references, settings.options));
+    for (const CharacterResult& result : evaluation.characters)
+        all.push_back(judge(result, out / "pages", references, settings.options));
     return all;
 }
 
@@ -136,7 +90,8 @@ std::string summary(const std::vector<Judged>& ours, const std::vector<Judged>& 
         [](const Judged& j) { return j.segmented(); }, "21");
     text += line(
         "skeletonization",
-        "every head, limb, tail and wing (of 1 % of the figure or more) has an end-effector",
+        "every head, tail and wing (of 1 % of the figure or more) and every limb that is drawn has an "
+        "end-effector",
         [](const Judged& j) { return j.skeletonized(); }, "21");
     text += line(
         "identification", "the right type", [](const Judged& j) { return j.identified(); },
@@ -176,7 +131,8 @@ std::string drawing_table(const std::vector<Judged>& all, const std::string& typ
         text += "| " + type + ": " + j.result.species + " | " + j.result.page + " | " + mark(j.detected()) +
                 " " + share(j.result.mask_overlap) + " | " + mark(j.segmented()) + " " +
                 share(std::max(0.0, j.result.mean_overlap())) + " | " + mark(j.skeletonized()) + " " +
-                std::to_string(j.reached) + "/" + std::to_string(j.pieces) + " | " + mark(j.identified()) +
+                std::to_string(j.result.ends.reached) + "/" + std::to_string(j.result.ends.parts) + " | " +
+                mark(j.identified()) +
                 (j.identified() ? "" : " " + (j.type.empty() ? j.result.status : j.type)) + " | " +
                 mark(rigging) + " | " + (rigging ? rigging->remark : "") + " |\n";
     }
@@ -238,7 +194,9 @@ std::string results_page(const fs::path& dataset, const fs::path& work, const st
            "the first clip; these verdicts, with their dates, are in [verdicts.csv](verdicts.csv) (newest: " +
            verdicts.newest() +
            "). Numbers beside the marks: overlap of the\nsilhouettes, mean overlap of the parts, parts with "
-           "an end-effector (a wing that is folded on the body has no end of its own and\ncounts as missed). "
+           "an end-effector (limbs as drawn, not connected\npieces, so legs that have grown together need "
+           "one each; a "
+           "wing that is folded on the body has no end of its own and counts as missed).\n"
            "The thesis judged every step by eye.\n\n" +
            success_tables(dataset, work, verdicts);
 }
