@@ -2,7 +2,6 @@
 // Step 1 (thesis 4.2): a page to characters, each with its box and its filled silhouette.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -30,10 +29,6 @@ struct DetectionOptions {
     // A page that lies on its side or upside down is turned by itself when a quarter turn has this
     // probability (own, src/pipeline/upright.hpp). `thesis`: never (2).
     double turn_probability = 0.9;
-    // What touches a larger character is a figure of its own when its score reaches figure_score and the
-    // segmenter's type head says `other` with less than figure_other (own, src/pipeline/figure_test.hpp).
-    // `thesis`: whatever was detected is one (0, 2).
-    double figure_score = 0.8, figure_other = 0.5;
 
     // Ink. Shares of the darkness of the darkest strokes (ink_darkness).
     double ink_contrast = 0.15;    // a stroke is darker than the local mean by this
@@ -66,6 +61,10 @@ struct DetectionOptions {
     // A detection with so much of its mask inside the mask of a larger one whose score is no lower is a part
     // of that character.
     double contained_share = 0.6;
+    // A detection whose ink touches that of a larger one, with a lower score than part_score and part_overlap
+    // of its box inside the other's (a halo, a tail, the second half of an animal), is a part of that one.
+    // `thesis`: 0.
+    double part_score = 0.8, part_overlap = 0.35;
     // A character of which so much lies inside the silhouette of a larger one (an eye, a button) is none.
     double inside_share = 0.8;
     double shared_claim = 0.2;   // a piece of ink of which others claim this share is divided
@@ -127,15 +126,11 @@ struct Detection {
     std::vector<DetectedCharacter> characters; // left to right, then top to bottom, by box centre
 };
 
-// Whether what touches a larger character is a figure of its own rather than a part of that one.
-using FigureTest = std::function<bool(const DetectedCharacter&)>;
-
 // page: at any size; ink: of that page. With a finder its network groups the ink (when it finds anything),
-// without one the contour-based detector does; with a test what touches a larger character and is no figure
-// joins it. Boxes in page pixels, masks at working size.
+// without one the contour-based detector does. Boxes in page pixels, masks at working size.
 // Error(no_character) when the page holds none. Thesis 4.2, Fig. 4.3; contours: Suzuki & Abe 1985.
 Detection detect(const RgbImage& page, const PageInk& ink, const DetectionOptions& options = {},
-                 const CharacterFinder* finder = nullptr, const FigureTest& is_figure = {});
+                 const CharacterFinder* finder = nullptr);
 // The same with the ink of find_page_ink(page).
 Detection detect(const RgbImage& page, const DetectionOptions& options = {},
                  const CharacterFinder* finder = nullptr);

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "detection/grouping.hpp"
 #include "detection/ink_silhouette.hpp"
@@ -192,7 +191,7 @@ Grouping group(const RgbImage& page, const PageInk& page_ink, const Mask& ink, i
         for (const CharacterFinder::Found& f : found) claims.scores.push_back(f.score);
         DetectionOptions rules = options;
         if (page_ink.cut_out) rules.shared_claim = 2; // cut out in one piece: one character
-        if (!found.empty()) return group_by_claims(ink, claims, rules);
+        if (!found.empty()) return join_pieces(group_by_claims(ink, claims, rules), options);
     }
     return group_ink(ink, options);
 }
@@ -246,60 +245,34 @@ void drop_inside(std::vector<DetectedCharacter>& characters, double inside_share
     characters = std::move(kept);
 }
 
-// What a page's characters are made of.
-struct GroupedPage {
-    const RgbImage& page;
-    const PageInk& page_ink;
-    const Mask& ink;
-    const Grouping& grouping; // at 1 / factor of the page's size
-    int factor;
-    const DetectionOptions& options;
-};
-
-// Of one group, from 0; none when it is too small or encloses nothing.
-std::optional<DetectedCharacter> make_character(const GroupedPage& from, int index) {
-    const auto group = static_cast<std::size_t>(index);
-    const std::vector<double>& scores = from.grouping.scores;
-    DetectedCharacter character;
-    character.box = page_box(from.grouping.boxes[group], from.factor, from.page);
-    if (std::max(character.box.width, character.box.height) < from.options.min_side) return std::nullopt;
-    character.scale = working_scale(character.box, from.options);
-    const Mask own = own_ink(from.ink, from.grouping, index + 1, from.factor, character.box);
-    const Mask ink = at_working_size(own, character.scale, 1.0f / 3);
-    character.mask = silhouette_of(ink);
-    if (from.page_ink.cut_out) keep_cut_out(character, own);
-    if (area_of(character.mask) == 0) return std::nullopt;
-    character.score = scores.empty() ? inked_share(character.mask, ink) : scores[group];
-    character.drawing = crop(from.page, character.box);
-    character.ink = ink_of_crop(
-        own_darkness(crop(from.page_ink.darkness, character.box), own, crop(from.ink, character.box)));
-    return character;
-}
-
 } // namespace
 
 Detection detect(const RgbImage& page, const PageInk& page_ink, const DetectionOptions& options,
-                 const CharacterFinder* finder, const FigureTest& is_figure) {
+                 const CharacterFinder* finder) {
     Detection result;
     result.width = page.width();
     result.height = page.height();
     result.ink = find_ink(page_ink, options);
     const int factor =
         (std::max(page.width(), page.height()) + options.grouping_size - 1) / options.grouping_size;
-    Grouping grouping = group(page, page_ink, reduce(result.ink, factor), factor, options, finder);
-    const auto make = [&](int index) {
-        return make_character({page, page_ink, result.ink, grouping, factor, options}, index);
-    };
-    if (is_figure)
-        grouping = join_pieces(grouping, [&](int index) {
-            const std::optional<DetectedCharacter> character = make(index);
-            if (!character) return false;
-            const bool doubted = !grouping.scores.empty() && character->score < options.figure_score;
-            return !doubted && is_figure(*character);
-        });
-    for (const int index : largest_groups(grouping, options.max_characters))
-        if (std::optional<DetectedCharacter> character = make(index))
-            result.characters.push_back(std::move(*character));
+    const Grouping grouping = group(page, page_ink, reduce(result.ink, factor), factor, options, finder);
+    for (int index : largest_groups(grouping, options.max_characters)) {
+        DetectedCharacter character;
+        character.box = page_box(grouping.boxes[index], factor, page);
+        if (std::max(character.box.width, character.box.height) < options.min_side) continue;
+        character.scale = working_scale(character.box, options);
+        const Mask own = own_ink(result.ink, grouping, index + 1, factor, character.box);
+        const Mask ink = at_working_size(own, character.scale, 1.0f / 3);
+        character.mask = silhouette_of(ink);
+        if (page_ink.cut_out) keep_cut_out(character, own);
+        if (std::none_of(character.mask.begin(), character.mask.end(), [](std::uint8_t v) { return v != 0; }))
+            continue;
+        character.score = grouping.scores.empty() ? inked_share(character.mask, ink) : grouping.scores[index];
+        character.drawing = crop(page, character.box);
+        character.ink = ink_of_crop(
+            own_darkness(crop(page_ink.darkness, character.box), own, crop(result.ink, character.box)));
+        result.characters.push_back(std::move(character));
+    }
     drop_inside(result.characters, options.inside_share);
     if (result.characters.empty()) throw Error(ErrorKind::no_character, "no character found on the page");
     std::stable_sort(result.characters.begin(), result.characters.end(), reads_before);

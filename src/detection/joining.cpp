@@ -27,53 +27,63 @@ std::map<std::pair<int, int>, int> count_contacts(const Grid<int>& groups) {
     return contacts;
 }
 
+std::int64_t area_of(const Box& box) { return std::int64_t{box.width} * box.height; }
+
 Box united(const Box& a, const Box& b) {
     const int left = std::min(a.x, b.x), top = std::min(a.y, b.y);
     return {left, top, std::max(a.x + a.width, b.x + b.width) - left,
             std::max(a.y + a.height, b.y + b.height) - top};
 }
 
+// Share of a box that lies inside another.
+double share_inside(const Box& part, const Box& whole) {
+    const int width = std::min(part.x + part.width, whole.x + whole.width) - std::max(part.x, whole.x);
+    const int height = std::min(part.y + part.height, whole.y + whole.height) - std::max(part.y, whole.y);
+    return width <= 0 || height <= 0
+               ? 0
+               : static_cast<double>(std::int64_t{width} * height) / static_cast<double>(area_of(part));
+}
+
+// Per group, the group that it belongs to: itself, or the whole whose part it is.
+std::vector<std::size_t> find_wholes(const Grouping& grouping, const DetectionOptions& options) {
+    const std::map<std::pair<int, int>, int> contacts = count_contacts(grouping.groups);
+    const std::vector<Box>& boxes = grouping.boxes;
+    std::vector<std::size_t> whole(boxes.size());
+    std::iota(whole.begin(), whole.end(), std::size_t{0});
+    std::vector<int> most(boxes.size(), 0);
+    for (const auto& [pair, pixels] : contacts) {
+        auto part = static_cast<std::size_t>(pair.first), other = static_cast<std::size_t>(pair.second);
+        if (area_of(boxes[part]) == area_of(boxes[other])) continue;
+        if (area_of(boxes[part]) > area_of(boxes[other])) std::swap(part, other);
+        if (grouping.scores[part] >= options.part_score || pixels <= most[part] ||
+            share_inside(boxes[part], boxes[other]) < options.part_overlap)
+            continue;
+        most[part] = pixels;
+        whole[part] = other;
+    }
+    // The whole of a part is larger, so this ends.
+    for (std::size_t& group : whole)
+        while (whole[group] != group) group = whole[group];
+    return whole;
+}
+
 } // namespace
 
-Grouping join_pieces(Grouping grouping, const std::function<bool(int group)>& is_figure) {
-    const std::map<std::pair<int, int>, int> contacts = count_contacts(grouping.groups);
-    if (contacts.empty()) return grouping;
-    const int count = static_cast<int>(grouping.boxes.size());
-    const auto area = [&](int i) {
-        const Box& box = grouping.boxes[static_cast<std::size_t>(i)];
-        return std::int64_t{box.width} * box.height;
-    };
-    std::vector<int> order(static_cast<std::size_t>(count)), joined(order.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::iota(joined.begin(), joined.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return area(a) < area(b); });
-    for (const int part : order) {
-        int whole = -1, most = 0;
-        for (const auto& [pair, pixels] : contacts) {
-            if (pair.first != part && pair.second != part) continue;
-            const int other = pair.first == part ? pair.second : pair.first;
-            if (area(other) > area(part) && pixels > most) whole = other, most = pixels;
-        }
-        if (whole >= 0 && !is_figure(part)) joined[static_cast<std::size_t>(part)] = whole;
-    }
-    // A part of a part belongs to the whole: larger groups come last.
-    for (auto part = order.rbegin(); part != order.rend(); ++part) {
-        int& whole = joined[static_cast<std::size_t>(*part)];
-        whole = joined[static_cast<std::size_t>(whole)];
-    }
+Grouping join_pieces(Grouping grouping, const DetectionOptions& options) {
+    if (grouping.scores.empty() || options.part_score <= 0) return grouping;
+    const std::vector<std::size_t> whole = find_wholes(grouping, options);
     Grouping result{std::move(grouping.groups), {}, {}};
-    std::vector<int> number(order.size(), 0); // of the groups that stay
-    for (std::size_t i = 0; i < joined.size(); ++i) {
-        if (joined[i] != static_cast<int>(i)) continue;
+    std::vector<int> number(whole.size(), 0); // of the groups that stay, from 1
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        if (whole[i] != i) continue;
         result.boxes.push_back(grouping.boxes[i]);
-        if (!grouping.scores.empty()) result.scores.push_back(grouping.scores[i]);
+        result.scores.push_back(grouping.scores[i]);
         number[i] = static_cast<int>(result.boxes.size());
     }
-    for (std::size_t i = 0; i < joined.size(); ++i) {
-        if (joined[i] == static_cast<int>(i)) continue;
-        const auto whole = static_cast<std::size_t>(joined[i]);
-        number[i] = number[whole];
-        Box& box = result.boxes[static_cast<std::size_t>(number[whole]) - 1];
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        if (whole[i] == i) continue;
+        number[i] = number[whole[i]];
+        Box& box = result.boxes[static_cast<std::size_t>(number[i]) - 1];
         box = united(box, grouping.boxes[i]);
     }
     for (int& group : result.groups)

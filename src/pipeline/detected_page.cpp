@@ -12,7 +12,6 @@
 #include "formats/page_file.hpp"
 #include "formats/trace_files.hpp"
 #include "pantin/image.hpp"
-#include "pipeline/figure_test.hpp"
 #include "pipeline/former_run.hpp"
 #include "pipeline/overrides.hpp"
 #include "pipeline/overview.hpp"
@@ -29,7 +28,7 @@ Detection detect_on(const RgbImage& picture, const PageInk& ink, const fs::path&
     const DetectionOptions& options = context.options().detection;
     const CharacterFinder* finder = options.detector == Detector::mask_rcnn ? &context.finder() : nullptr;
     try {
-        return detect(picture, ink, options, finder, make_figure_test(context));
+        return detect(picture, ink, options, finder);
     } catch (const Error& error) {
         throw Error(error.kind(), image.string() + ": " + error.what());
     }

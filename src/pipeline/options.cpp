@@ -31,8 +31,6 @@ template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visi
     visit("detection.max_characters", o.max_characters, 1, 64);
     visit("detection.flatten_sheet", o.flatten_sheet);
     visit("detection.turn_probability", o.turn_probability, 0, 2);
-    visit("detection.figure_score", o.figure_score, 0, 1);
-    visit("detection.figure_other", o.figure_other, 0, 2);
     visit("detection.ink_contrast", o.ink_contrast, 0, 1);
     visit("detection.lightest_stroke", o.lightest_stroke, 0, 1);
     visit("detection.filled_darkness", o.filled_darkness, 0, 1);
@@ -54,6 +52,8 @@ template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visi
     visit("detection.min_side", o.min_side, 1, 16384);
     visit("detection.network_score", o.network_score, 0, 1);
     visit("detection.contained_share", o.contained_share, 0, 1);
+    visit("detection.part_score", o.part_score, 0, 1);
+    visit("detection.part_overlap", o.part_overlap, 0, 1);
     visit("detection.shared_claim", o.shared_claim, 0, 1);
     visit("detection.inside_share", o.inside_share, 0, 2);
     visit("detection.claimed_reach", o.claimed_reach, 0, 10);
@@ -253,8 +253,7 @@ Options make_preset(std::string_view name) {
     options.detection.working_size = 321;    // ch. 5: the network's input
     options.detection.flatten_sheet = false; // 4.2: the picture as it is
     options.detection.turn_probability = 2;
-    options.detection.figure_score = 0;
-    options.detection.figure_other = 2;
+    options.detection.part_score = 0;    // 4.2: whatever was detected is a character
     options.segmentation.mirror = false; // 4.3: one view of the drawing
     options.segmentation.tilt = 0;
     options.segmentation.scribble_ratio = 1000;       // 4.3: whatever was detected is a character

@@ -2,8 +2,6 @@
 // Parts of a figure that were found as figures of their own.
 #include <catch2/catch.hpp>
 
-#include <set>
-
 #include "core/random.hpp"
 #include "detection/joining.hpp"
 #include "pantin/image.hpp"
@@ -29,39 +27,50 @@ bool same_box(const Box& a, const Box& b) {
 
 } // namespace
 
-TEST_CASE("What touches a larger group and is no figure joins it; what is one, or stands apart, stays") {
-    // A ball (group 1) that touches a figure (2) at a corner, and a flower (3) a pixel away.
-    const Grouping page = boxes_on(40, 30, {{2, 2, 4, 4}, {6, 6, 10, 20}, {17, 20, 3, 3}});
-    std::set<int> asked;
-    const Grouping joined = join_pieces(page, [&](int group) {
-        asked.insert(group);
-        return false;
-    });
-    CHECK((asked == std::set<int>{0})); // the smaller one of those that touch
+TEST_CASE("What touches a larger group within its reach and has a low score joins it") {
+    // A ball (group 1) that touches a figure (2) at a corner and lies beside its box by half; a flower (3) a
+    // pixel away.
+    Grouping page = boxes_on(40, 30, {{4, 10, 4, 4}, {8, 14, 10, 10}, {19, 20, 3, 3}});
+    page.boxes[1] = {6, 6, 12, 18}; // the figure has an arm above the ball
+    page.scores = {0.7, 0.6, 0.5};
+    const Grouping joined = join_pieces(page, {});
     REQUIRE(joined.boxes.size() == 2);
-    CHECK(same_box(joined.boxes[0], {2, 2, 14, 24}));
-    CHECK(same_box(joined.boxes[1], {17, 20, 3, 3}));
-    CHECK((joined.scores == std::vector<double>{page.scores[1], page.scores[2]}));
-    CHECK(joined.groups(2, 2) == 1);
-    CHECK(joined.groups(10, 10) == 1);
-    CHECK(joined.groups(18, 21) == 2);
+    CHECK(same_box(joined.boxes[0], {4, 6, 14, 18}));
+    CHECK(same_box(joined.boxes[1], {19, 20, 3, 3}));
+    CHECK((joined.scores == std::vector<double>{0.6, 0.5}));
+    CHECK(joined.groups(4, 10) == 1);
+    CHECK(joined.groups(10, 15) == 1);
+    CHECK(joined.groups(20, 21) == 2);
     CHECK(joined.groups(0, 0) == 0);
 
-    const Grouping kept = join_pieces(page, [](int) { return true; });
-    CHECK(kept.groups == page.groups);
-    CHECK(kept.boxes.size() == 3);
+    const auto kept = [&](auto change) {
+        Grouping changed = page;
+        change(changed);
+        return join_pieces(changed, {}).boxes.size() == 3;
+    };
+    CHECK_FALSE(kept([](Grouping&) {}));
+    CHECK(kept([](Grouping& g) { g.scores[0] = 0.85; }));           // the network is sure of it
+    CHECK(kept([](Grouping& g) { g.boxes[1] = {8, 14, 10, 10}; })); // beside it: a tree on the same grass
+    CHECK(kept([](Grouping& g) { g.scores.clear(); }));             // the contour detector has none
+    DetectionOptions never;
+    never.part_score = 0;
+    CHECK(join_pieces(page, never).boxes.size() == 3);
 }
 
 TEST_CASE("A part of a part belongs to the whole, and to the one that it touches most") {
-    const Grouping chain = boxes_on(60, 20, {{0, 0, 2, 2}, {2, 0, 5, 5}, {7, 0, 20, 10}});
-    const Grouping whole = join_pieces(chain, [](int) { return false; });
+    Grouping chain = boxes_on(60, 20, {{0, 0, 2, 2}, {2, 0, 5, 5}, {7, 0, 20, 10}});
+    chain.boxes = {{0, 0, 2, 2}, {0, 0, 7, 7}, {0, 0, 27, 10}};
+    const Grouping whole = join_pieces(chain, {});
     REQUIRE(whole.boxes.size() == 1);
     CHECK(same_box(whole.boxes[0], {0, 0, 27, 10}));
     CHECK(whole.scores == std::vector<double>{chain.scores[2]});
 
     // Between two figures: with one it has a side in common, with the other a corner.
-    const Grouping between = boxes_on(60, 40, {{20, 10, 4, 4}, {0, 0, 20, 30}, {24, 14, 20, 20}});
-    const Grouping given = join_pieces(between, [](int group) { return group != 0; });
+    Grouping between = boxes_on(60, 40, {{20, 10, 4, 4}, {0, 0, 20, 30}, {24, 14, 20, 20}});
+    between.boxes[1].width = between.boxes[2].width = 30;
+    between.boxes[2].x = 14;
+    between.scores = {0.5, 0.9, 0.9};
+    const Grouping given = join_pieces(between, {});
     REQUIRE(given.boxes.size() == 2);
     CHECK(given.groups(21, 11) == given.groups(1, 1));
 }
@@ -74,7 +83,10 @@ TEST_CASE("Joining keeps the ink: every pixel of it is in one group, inside that
             boxes.push_back(
                 {random.integer(0, 30), random.integer(0, 30), random.integer(1, 9), random.integer(1, 9)});
         const Grouping page = boxes_on(40, 40, boxes);
-        const Grouping joined = join_pieces(page, [&](int group) { return (group + round) % 3 == 0; });
+        DetectionOptions options;
+        options.part_score = 0.1 * random.integer(0, 9);
+        options.part_overlap = 0;
+        const Grouping joined = join_pieces(page, options);
         CHECK(joined.scores.size() == joined.boxes.size());
         for (int y = 0; y < 40; ++y)
             for (int x = 0; x < 40; ++x) {
