@@ -5,7 +5,8 @@
 usage: convert_torch.py STATE_DICT.pth OUT.safetensors [--half] [--set KEY=VALUE ...]
 Takes torchvision's maskrcnn_resnet50_fpn (names of 0.14 and of the versions before) and SketchParse (its authors' Scale1 … Scale3).
 The metadata `model` says which, and the program chooses the network by it (docs/formats.md, "Weights").
-SketchParse also gets `experts` and `parts`, those of its authors' five experts unless --set gives them: parts=background,head,body;background,wing.
+SketchParse also gets `experts` and `parts`: those that a checkpoint of train/train.py --full carries, else those of its authors' five experts
+unless --set gives them: parts=background,head,body;background,wing.
 Checkpoints that hold the dictionary under "model" or "state_dict" are opened. --half stores F16. --set writes metadata that differs
 from torchvision's defaults, for example norm_epsilon=0 for torchvision's own COCO weights, min_size=320, anchor_sizes=16,32,64,128,256.
 """
@@ -59,6 +60,7 @@ def main():
     parser.add_argument("--set", nargs="*", default=[], metavar="KEY=VALUE")
     args = parser.parse_args()
     state = torch.load(args.state_dict, map_location="cpu")
+    carried = {key: state[key] for key in ("experts", "parts", "poses") if isinstance(state.get(key), str)}
     for key in ("model", "state_dict"):
         state = state[key] if key in state and isinstance(state[key], dict) else state
     tensors = {renamed(name): value.numpy().astype(np.float16 if args.half else np.float32) for name, value in state.items()
@@ -69,7 +71,7 @@ def main():
     facts = {"model": kind, "version": "1"}
     if kind == "pantin.sketch_parse":
         facts |= sketch_parse_facts(tensors)
-    facts |= dict(item.split("=", 1) for item in args.set)
+    facts |= carried | dict(item.split("=", 1) for item in args.set)
     if kind == "pantin.sketch_parse" and not {"experts", "parts"} <= facts.keys():
         raise SystemExit(f"{args.state_dict}: not the authors' five experts, so --set must say experts=… and parts=…")
     write_safetensors(args.out, tensors, facts)

@@ -9,9 +9,11 @@
 #include "formats/pictures.hpp"
 #include "pantin/detection.hpp"
 #include "pantin/image.hpp"
+#include "pantin/options.hpp"
 #include "pantin/segmentation.hpp"
 #include "support/folders.hpp"
 #include "support/program.hpp"
+#include "support/state_dictionary.hpp"
 #include "support/weight_files.hpp"
 
 using namespace pantin;
@@ -35,7 +37,7 @@ struct Setup {
         fs::copy_file("testdata/mask_rcnn_tiny.safetensors", detector());
         write(
             folder / "config.json",
-            R"({"detection.network_score": 0, "segmentation.least_confidence": 0, "segmentation.tilt": 0})");
+            R"({"detection.network_score": 0, "detection.max_characters": 3, "segmentation.least_confidence": 0, "segmentation.tilt": 0})");
     }
     fs::path segmenter() const { return folder / "weights/segmenter.safetensors"; }
     fs::path detector() const { return folder / "weights/detector.safetensors"; }
@@ -47,14 +49,9 @@ struct Setup {
             all.push_back(word.string());
         return run_pantin(all);
     }
-    DetectionOptions detection() const {
-        DetectionOptions options;
-        options.network_score = 0;
-        return options;
-    }
-    SegmentationOptions segmentation() const {
-        SegmentationOptions options;
-        options.least_confidence = options.tilt = 0;
+    Options options(const std::string& preset) const {
+        Options options = make_preset(preset);
+        apply_config(options, folder / "config.json");
         return options;
     }
 };
@@ -81,16 +78,16 @@ void write_bytes(const fs::path& file, const Bytes& bytes) {
     write(file, std::string(bytes.begin(), bytes.end()));
 }
 
-} // namespace
-
-TEST_CASE("animate takes Mask R-CNN and SketchParse from a folder of weights", "[cli][end-to-end]") {
-    const Setup setup;
-    const Outcome outcome = setup.run({"animate", page, "-o", setup.out().string()});
+// The page's characters and their parts are those of direct calls of the folder's networks. Returns how many
+// there are.
+std::size_t check_animated(const Setup& setup, const std::string& preset, const std::string& expert) {
+    const Outcome outcome = setup.run({"animate", page, "-o", setup.out().string(), "--preset", preset});
     INFO(outcome.err);
     CHECK((outcome.code == 0 || outcome.code == 7)); // random labels may not make a character that moves
 
+    const Options options = setup.options(preset);
     const CharacterFinder finder(read_file(setup.detector()), "detector");
-    const Detection detection = detect(load_image(page), setup.detection(), &finder);
+    const Detection detection = detect(load_image(page), options.detection, &finder);
     const Json characters = Json::parse(read(setup.out() / "page.json"))["characters"];
     REQUIRE(characters.size() == detection.characters.size());
     for (std::size_t i = 0; i < characters.size(); ++i) {
@@ -98,8 +95,37 @@ TEST_CASE("animate takes Mask R-CNN and SketchParse from a folder of weights", "
         CHECK(characters[i]["box"] == Json{box.x, box.y, box.width, box.height});
         CHECK(characters[i]["score"] == detection.characters[i].score);
         const fs::path folder = setup.out() / characters[i]["folder"].get<std::string>();
-        check_segmented(folder, setup.segmenter(), setup.segmentation());
-        CHECK(Json::parse(read(folder / "segmentation.json"))["router"].contains("land"));
+        check_segmented(folder, setup.segmenter(), options.segmentation);
+        CHECK(Json::parse(read(folder / "segmentation.json"))["router"].contains(expert));
+    }
+    return characters.size();
+}
+
+} // namespace
+
+TEST_CASE("animate takes Mask R-CNN and SketchParse from a folder of weights", "[cli][end-to-end]") {
+    const Setup setup;
+    check_animated(setup, "default", "land");
+}
+
+TEST_CASE("A page runs through the thesis's two networks at their own depth, in both presets",
+          "[cli][end-to-end]") {
+    const Setup setup;
+    write_bytes(
+        setup.detector(),
+        narrow_mask_rcnn().file(
+            {{"model", "pantin.mask_rcnn"}, {"version", "1"}, {"min_size", "240"}, {"max_size", "320"}}));
+    write_bytes(setup.segmenter(),
+                narrow_sketch_parse().file({{"model", "pantin.sketch_parse"},
+                                            {"version", "1"},
+                                            {"experts", "ground,winged"},
+                                            {"parts", "background,head,body,limb,tail;"
+                                                      "background,head,body,limb,tail,wing"},
+                                            {"poses", "E,NE,N,NW,W,SW,S,SE"}}));
+    for (const char* preset : {"default", "thesis"}) {
+        CAPTURE(preset);
+        CHECK(check_animated(setup, preset, "winged") > 0);
+        fs::remove_all(setup.out());
     }
 }
 
@@ -108,13 +134,13 @@ TEST_CASE("segment takes the network that the weight file's metadata names", "[c
     REQUIRE(run_pantin({"detect", page, "-o", setup.out().string()}).code == 0);
     const fs::path character = setup.out() / "character-1";
     REQUIRE(setup.run({"segment", character.string()}).code == 0);
-    check_segmented(character, setup.segmenter(), setup.segmentation());
+    check_segmented(character, setup.segmenter(), setup.options("default").segmentation);
     CHECK(Json::parse(read(character / "segmentation.json"))["router"].contains("air"));
 
     fs::copy_file("testdata/segmenter_tiny.safetensors", setup.segmenter(),
                   fs::copy_options::overwrite_existing);
     REQUIRE(setup.run({"segment", character.string()}).code == 0);
-    check_segmented(character, setup.segmenter(), setup.segmentation());
+    check_segmented(character, setup.segmenter(), setup.options("default").segmentation);
     CHECK(Json::parse(read(character / "segmentation.json"))["router"].contains("winged"));
 }
 

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: MIT
 // docs/thesis-to-code.md is complete, and what it names exists.
-#include <catch2/catch.hpp>
-
 #include <algorithm>
-#include <filesystem>
-#include <map>
-#include <regex>
-#include <sstream>
 
-#include "support/folders.hpp"
+#include "docs/thesis_to_code.hpp"
 
 using namespace pantin::test;
 
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path page = "docs/thesis-to-code.md";
 
 // What both publications number, but for what has a row for a range of figures.
 std::vector<std::string> numbered() {
@@ -42,31 +34,6 @@ std::vector<std::string> numbered() {
     for (const char* place : {"RealSkel 1", "RealSkel 2", "RealSkel 4", "RealSkel 4.2", "RealSkel 5"})
         places.emplace_back(place);
     return places;
-}
-
-// Rows of the tables whose header begins with "place": place → what stands under "code".
-std::multimap<std::string, std::string> rows_of(const std::string& text) {
-    std::multimap<std::string, std::string> rows;
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with("| ") || line.starts_with("| place |")) continue;
-        const std::size_t first = line.find(" | "), second = line.find(" | ", first + 3);
-        REQUIRE(second != std::string::npos);
-        rows.emplace(line.substr(2, first - 2), line.substr(second + 3, line.rfind(" |") - second - 3));
-    }
-    return rows;
-}
-
-struct Named {
-    std::string name, file;
-};
-
-std::vector<Named> functions_in(const std::string& cell) {
-    static const std::regex link(R"(\[`([^`]+)`\]\(([^)]+)\))");
-    std::vector<Named> found;
-    for (std::sregex_iterator match(cell.begin(), cell.end(), link), end; match != end; ++match)
-        found.push_back({(*match)[1], (*match)[2]});
-    return found;
 }
 
 bool is_word(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)); }
@@ -116,21 +83,22 @@ bool defines(const std::string& source, const std::string& qualified) {
 
 TEST_CASE("Every numbered equation, algorithm, definition and figure of both publications has one row",
           "[docs]") {
-    const auto rows = rows_of(read(page));
+    const std::vector<Row> rows = rows_of(read(thesis_to_code));
     for (const std::string& place : numbered()) {
         CAPTURE(place);
-        CHECK(rows.count(place) == 1);
+        CHECK(std::count_if(rows.begin(), rows.end(), [&](const Row& row) { return row.place == place; }) ==
+              1);
     }
 }
 
 TEST_CASE("Every row names a function that its file defines, or says why none does", "[docs]") {
-    for (const auto& [place, code] : rows_of(read(page))) {
-        CAPTURE(place, code);
-        const std::vector<Named> functions = functions_in(code);
-        CHECK((!functions.empty() || code.starts_with("not applicable: ")));
+    for (const Row& row : rows_of(read(thesis_to_code))) {
+        CAPTURE(row.place, row.code);
+        const std::vector<Link> functions = links_in(row.code);
+        CHECK((!functions.empty() || row.code.starts_with("not applicable: ")));
         for (const auto& [name, file] : functions) {
             CAPTURE(name, file);
-            const fs::path path = page.parent_path() / file;
+            const fs::path path = thesis_to_code.parent_path() / file;
             REQUIRE(fs::is_regular_file(path));
             CHECK(defines(read(path), name));
         }

@@ -39,12 +39,12 @@ def random_angle(rng):
         else rng.uniform(0, 360)
 
 
-def turned(ink, mask, side, angle, rng):
+def turned(ink, mask, side, angle, rng, mirror=True):
     """the drawing at another size (longer side `side`), turned, and mirrored at times."""
     h, w = mask.shape
     scale = side / max(h, w)
     matrix = cv2.getRotationMatrix2D((w / 2, h / 2), angle, scale)
-    if rng.random() < 0.5:
+    if mirror and rng.random() < 0.5:
         matrix = matrix @ np.array([[-1, 0, w - 1], [0, 1, 0], [0, 0, 1]], float)
     size = int(np.ceil(np.hypot(h, w) * scale)) + 4
     matrix[:, 2] += size / 2 - np.array([w, h]) / 2

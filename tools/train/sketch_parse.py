@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: MIT
 """SketchParse (Sarvadevabhatla et al. 2017) in today's PyTorch, with the parameter names of its authors' state dictionary, and a router:
-a linear layer on the mean of the first scale's shared features. For comparisons; the network that is shipped is model.py."""
+a linear layer on the mean of the first scale's shared features. For comparisons and for `--recipe thesis`; the network that is shipped is model.py."""
 import torch
 import torch.nn.functional as F
 from torch import nn
 
 SHARES = (1, 0.75, 0.5)
+
+
+def smaller(image, share):
+    size = [int((s - 1) * share + 1.5) for s in image.shape[2:]]
+    return F.interpolate(image, size, mode="bilinear", align_corners=True)
 
 
 class Bottleneck(nn.Module):
@@ -87,9 +92,8 @@ class SketchParse(nn.Module):
         trace["expert"] = torch.tensor([float(expert)])
         fused = trace["scale0"] = self.Scale1.scores(trace["shared0"], expert)
         for k in (1, 2):
-            size = [int((s - 1) * SHARES[k] + 1.5) for s in image.shape[2:]]
             scale = getattr(self, f"Scale{k + 1}")
-            trace[f"input{k}"] = F.interpolate(image, size, mode="bilinear", align_corners=True)
+            trace[f"input{k}"] = smaller(image, SHARES[k])
             trace[f"shared{k}"] = scale.shared(trace[f"input{k}"])
             trace[f"scale{k}"] = F.interpolate(scale.scores(trace[f"shared{k}"], expert), fused.shape[2:], mode="bilinear",
                                                align_corners=True)
