@@ -26,6 +26,10 @@ enum class SkeletonMethod {
               // 2012)
 };
 
+// When the thinning has come to its end: after an iteration both halves of which deleted nothing (Zhang and
+// Suen), or after the first half that did, as Algorithm 4.1 has it (lines 11 and 21).
+enum class ThinningStop { both, either };
+
 struct SkeletonizationOptions {
     SkeletonMethod method = SkeletonMethod::voronoi;
     Residual residual = Residual::chord; // `thesis`: arc
@@ -42,6 +46,10 @@ struct SkeletonizationOptions {
     // Limbs, tails or wings that touch are cut apart where they are farthest from the body, since a cycle has
     // no end that could move (11 of 562 figures); `thesis`: false.
     bool cut_cycles = true;
+    ThinningStop thinning_stop = ThinningStop::both; // `thesis`: either
+    // Ridges that run beside each other enclose pixels of the shape, which thinning keeps as small cycles.
+    // They are filled before; `thesis`: false.
+    bool fill_pockets = true;
     // A shape whose skeleton is a single point (a round duck) gets half the threshold, again and again;
     // `thesis`: false.
     bool lower_threshold = true;
@@ -100,9 +108,9 @@ struct Thinning {
 };
 // Thinning of a mask, outside of which is background. No errors. Zhang & Suen 1984, as Algorithm 4.1 of the
 // thesis with ERRATA 5.
-Thinning zhang_suen_steps(const Mask& mask);
+Thinning zhang_suen_steps(const Mask& mask, ThinningStop stop = ThinningStop::both);
 // Its result alone, of the mask's size. No errors. Algorithm 4.1.
-Mask zhang_suen(const Mask& mask);
+Mask zhang_suen(const Mask& mask, ThinningStop stop = ThinningStop::both);
 // The skeleton without the pixels of staircases that thinning leaves and that connect nothing, of its size.
 // No errors. Own (ERRATA 6).
 Mask remove_redundant_pixels(const Mask& skeleton);

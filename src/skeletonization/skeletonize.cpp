@@ -77,8 +77,8 @@ void find_graph(Skeletonization& s, const BorderSites& sites, const LabelMap& pa
     Mask ridges = ridges_of(s, sites, threshold, options.method);
     if (options.recover_parts_share > 0)
         ridges = anchor_missing_parts(ridges, s.mask, parts, options.recover_parts_share);
-    s.voronoi_raster = restore_topology(ridges, s.mask);
-    Thinning thinning = zhang_suen_steps(s.voronoi_raster);
+    s.voronoi_raster = restore_topology(ridges, s.mask, options.fill_pockets);
+    Thinning thinning = zhang_suen_steps(s.voronoi_raster, options.thinning_stop);
     s.thinned = std::move(thinning.thinned);
     s.thinned_in = std::move(thinning.removed_in);
     // It deletes a 2×2 square as a whole; the shape then keeps its deepest pixel.
