@@ -320,8 +320,9 @@ TEST_CASE("--trace adds the intermediate products and changes nothing else", "[c
         return read_all(out);
     };
     auto traced = files_of("traced", {"--trace"});
-    for (const std::string file : {"silhouette.png", "voronoi.json", "voronoi.png", "thinned.png",
-                                   "skeleton-raw.json", "skeleton-h1.json", "probability-head.png"})
+    for (const std::string file :
+         {"silhouette.png", "voronoi.json", "voronoi.png", "thinned.png", "skeleton-raw.json",
+          "skeleton-h1.json", "probability-head.png", "mask-ink.png", "mask-network.png"})
         CHECK(traced.count("character-1/trace/" + file) == 1);
     CHECK(traced.count("trace/ink.png") == 1);
     std::erase_if(traced, [](const auto& file) { return file.first.find("trace/") != std::string::npos; });
