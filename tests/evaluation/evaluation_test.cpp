@@ -94,7 +94,7 @@ TEST_CASE("An evaluation counts the characters with a warning of each kind", "[w
     CHECK(json["results"][1]["warnings"] == nlohmann::json::array());
     const std::string text = evaluation_to_text(evaluation);
     CHECK(text.find("\nwarnings: 2 characters, filled_crop 0, lost_ink 1, ") != std::string::npos);
-    CHECK(text.find(", unsure_type 2\n") != std::string::npos);
+    CHECK(text.find(", unsure_type 2, unproven_distance 0\n") != std::string::npos);
 }
 
 TEST_CASE("A dataset with a fault is refused with the fact") {
