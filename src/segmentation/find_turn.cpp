@@ -43,7 +43,8 @@ TurnProbabilities Segmenter::find_turn(const GreyImage& drawn, const Segmentatio
     if (drawn.empty()) throw Error(ErrorKind::internal, "segmentation: the crop is empty");
     const segmentation::SegmentationNetwork& net = *model_->network;
     const network::Runtime runtime(options.threads);
-    network::Tensor ink = segmentation::to_input(darkness_of(drawn), net.input, options.grey_erosion);
+    network::Tensor ink =
+        segmentation::to_input(darkness_of(drawn), net.input, options.grey_erosion == GreyErosion::always);
     Scores sum{};
     for (int shown = 0; shown < turns; ++shown) {
         const network::Tensor scores = net.turn_scores(ink, runtime);
