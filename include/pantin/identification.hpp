@@ -100,7 +100,7 @@ struct IdentificationOptions {
     bool thesis_score = false;                      // `thesis`: score = ggd
     bool use_evidence = true; // presence and place of parts enter the score (ERRATA 10); false: score = the
                               // divided distance, ggd / (K_e Σ|e'|) (ERRATA 9)
-    // What cannot move, as identify() says below, is no character; `thesis`: false, whatever has an edge is.
+    // What cannot move, as identify() says below, is no character; `thesis`: false.
     bool reject_unmovable = true;
     std::string reference; // decides when not empty, whatever the scores are
 };
@@ -134,8 +134,8 @@ struct Identification {
 // Step 4 (thesis 4.5, ERRATA 8 to 13). `labels` has the size of the graph, 0 outside the silhouette.
 // Throws CharacterRejected("identify", …) for what cannot move: a skeleton without an edge, more than 24 ends
 // (a scribble), one label only, or neither an end nor 2 % of the silhouette that is limb, wing or tail, and
-// no head that ends a body of 15 % (a head alone); when `options.reference` says what it moves like, or
-// without `options.reject_unmovable`, for a skeleton without an edge only. Error(input) when
+// no head that ends a body of 15 % (a head alone); when `options.reference` says what it moves like,
+// for a skeleton without an edge only; without `options.reject_unmovable` never. Error(input) when
 // `options.reference` is none of the references. `seen`: what the segmentation network says of the type, a
 // part of the evidence.
 Identification identify(const SkeletonGraph& graph, const LabelMap& labels,

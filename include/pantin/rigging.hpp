@@ -183,7 +183,8 @@ struct Rig {
     bool solid = false; // a closed surface in 3D (modeling), which is lit; else a flat drawing, which is not
 };
 // Step 5 as a whole (thesis 4.6): mapping, mesh, bones, weights. `labels` has the size of the graph; the rig
-// is in its pixels. Throws CharacterRejected("rig", …) when no end-effector can be mapped or the silhouette
+// is in its pixels. Throws CharacterRejected("rig", …) when no end-effector can be mapped (with
+// `thesis_weights` the body is then the only bone) or the silhouette
 // is empty; Error(input) when the identified reference is none of the references.
 Rig rig(const SkeletonGraph& graph, const LabelMap& labels, const Identification& identification,
         const std::vector<ReferenceSkeleton>& references, const RigOptions& options = {});

@@ -53,6 +53,9 @@ struct SkeletonizationOptions {
     // A shape whose skeleton is a single point (a round duck) gets half the threshold, again and again;
     // `thesis`: false.
     bool lower_threshold = true;
+    // A skeleton that is a single point after H1 and H2 has nothing that could move: no character. `thesis`:
+    // false, it rests.
+    bool reject_point = true;
 };
 
 struct SkeletonVertex {
@@ -96,7 +99,8 @@ struct Skeletonization {
 // largest component counts. The skeleton is homotopic to the mask before cycles are cut, so it is connected.
 // A silhouette with neither end nor junction (a ring) gives a triangle. Throws
 // CharacterRejected("skeletonize", …) when the silhouette is empty, its borders have more than 100,000
-// points, or the skeleton shrinks to a single point after H1 and H2 (a disc, a head alone).
+// points, or, with `reject_point`, the skeleton shrinks to a single point after H1 and H2 (a disc, a head
+// alone).
 Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions& options = {});
 
 // --- the sub-steps, each usable alone; masks and label maps of one size ------------------------------------

@@ -282,7 +282,7 @@ Identification identify(const SkeletonGraph& graph, const LabelMap& labels,
                         const std::vector<ReferenceSkeleton>& references,
                         const IdentificationOptions& options, const TypeProbabilities& seen) {
     if (references.empty()) throw Error(ErrorKind::input, "there is no reference skeleton to compare with");
-    if (graph.edges.empty()) reject("a blob: its skeleton has no edge");
+    if (graph.edges.empty() && options.reject_unmovable) reject("a blob: its skeleton has no edge");
     if (options.reference.empty() && options.reject_unmovable) reject_what_cannot_move(graph, labels);
     const LabelledGraph drawn = normalised(to_labelled_graph(graph));
     const Observations observed{measure_traits(graph, labels), seen};

@@ -111,6 +111,7 @@ template <class Visitor> void visit_skeletonization(SkeletonizationOptions& o, V
     visit("skeletonization.thinning_stop", o.thinning_stop, {"both", "either"});
     visit("skeletonization.fill_pockets", o.fill_pockets);
     visit("skeletonization.lower_threshold", o.lower_threshold);
+    visit("skeletonization.reject_point", o.reject_point);
 }
 
 template <class Visitor> void visit_identification(IdentificationOptions& o, Visitor& visit) {
@@ -273,6 +274,7 @@ void set_thesis_shape(Options& options) {
     options.skeletonization.recover_parts_share = 0;
     options.skeletonization.cut_cycles = false;
     options.skeletonization.lower_threshold = false;
+    options.skeletonization.reject_point = false;
     options.skeletonization.thinning_stop = ThinningStop::either; // Algorithm 4.1, lines 11 and 21
     options.skeletonization.fill_pockets = false;                 // ERRATA 3: what thinning keeps stays
     options.skeletonization.fill_holes_share = 0;                 // ERRATA 4: holes are kept

@@ -83,7 +83,6 @@ void rig_as_in_thesis(Rig& rig, const SkeletonGraph& graph, const LabelMap& labe
                       const ReferenceSkeleton& reference, bool mirrored, WeightEnds ends) {
     const Point2d root = inward_paths(graph, filled, distance_transform(foreground(labels))).root;
     rig.bones = make_thesis_bones(graph, reference, rig.mapping, mirrored, root);
-    require_bones(rig.bones.size());
     rig.weights = thesis_weights(rig.mesh, filled, graph, reference, rig.mapping, ends);
 }
 
@@ -114,7 +113,7 @@ Mesh make_mesh(const Mask& silhouette, const MeshOptions& options) {
 
 Rig rig_with_mapping(const SkeletonGraph& graph, const LabelMap& labels, const ReferenceSkeleton& reference,
                      bool mirrored, const Mapping& mapping, const RigOptions& options) {
-    if (mapping.pairs.empty()) require_bones(0);
+    if (mapping.pairs.empty() && !options.thesis_weights) require_bones(0);
     Rig rig;
     rig.width = labels.width();
     rig.height = labels.height();

@@ -113,7 +113,8 @@ Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions
     const bool lower = options.lower_threshold && takes_threshold(options.method);
     for (; lower && s.graph.edges.empty() && threshold / 2 > lowest_threshold * scale; threshold /= 2)
         find_graph(s, sites, parts, threshold / 2, options, scale);
-    if (s.graph.edges.empty()) throw CharacterRejected("skeletonize", "the skeleton is a single point");
+    if (s.graph.vertices.empty() || (options.reject_point && s.graph.edges.empty()))
+        throw CharacterRejected("skeletonize", "the skeleton is a single point");
     return s;
 }
 

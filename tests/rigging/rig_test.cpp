@@ -184,6 +184,17 @@ TEST_CASE("an end without a partner keeps its vertices for the body when EF is t
     CHECK(kept > 10);
 }
 
+TEST_CASE("without a mapped end the body is the only bone of Algorithm 4.4, and the default has no rig") {
+    Character c = table();
+    c.mapping.pairs.clear();
+    RigOptions options;
+    CHECK_THROWS_AS(rig_of(c, options), CharacterRejected);
+    options.thesis_weights = true;
+    const Rig rig = rig_of(c, options);
+    REQUIRE(rig.bones.size() == 1);
+    for (const VertexWeights& w : rig.weights) CHECK(weight_of(w, 0) == 1);
+}
+
 TEST_CASE("floods stop halfway between two end-effectors of one label") {
     LabelMap labels(60, 20);
     fill(labels, 4, 4, 56, 16, Label::limb);

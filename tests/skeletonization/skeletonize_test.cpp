@@ -262,6 +262,12 @@ TEST_CASE("rings are loops; discs, dots and empty pictures are rejected with the
     fill_disc(disc, 30, 30, 20);
     CHECK(reason(all_of(disc, Label::head)) == "skeletonize: the skeleton is a single point");
     CHECK(reason(LabelMap(16, 16, 2)) == "skeletonize: the skeleton is a single point");
+    SkeletonizationOptions all;
+    all.reject_point = false;
+    const SkeletonGraph point = skeletonize(all_of(disc, Label::head), all).graph;
+    CHECK(point.vertices.size() == 1);
+    CHECK(point.edges.empty());
+    CHECK(point.vertices.front().label == Label::head);
     LabelMap dot(16, 16);
     CHECK(reason(dot) == "skeletonize: the silhouette is empty");
     dot(3, 4) = 1;
