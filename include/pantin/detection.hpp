@@ -17,6 +17,10 @@ namespace pantin {
 enum class Detector { contour, mask_rcnn };
 inline constexpr const char* detector_names[] = {"contour", "mask-rcnn"};
 
+// What the silhouette is: the ink of a character and what it encloses, or the network's mask, one half and
+// more.
+enum class MaskSource { ink, network };
+
 struct DetectionOptions {
     Detector detector = Detector::mask_rcnn; // 4.2; how much better on crowded pages: weights/README.md
     int working_size =
@@ -55,6 +59,10 @@ struct DetectionOptions {
     double enclosed_gain = 0.2;     // side by side only if this share of what they enclose needs both
     double min_share = 0.15;        // groups smaller than this share of the largest are dropped
     int min_side = 16;              // page pixels; smaller characters are dropped
+
+    // `thesis`: network (4.4: "the mask computed in the detection step"). A character that no network found
+    // (the contour-based detector; a network that finds nothing) has that of the ink.
+    MaskSource mask = MaskSource::ink;
 
     // Grouping by Mask R-CNN (src/detection/network_grouping.hpp).
     double network_score = 0.5; // least score of a detection
@@ -116,6 +124,9 @@ struct DetectedCharacter {
     RgbImage drawing; // the crop at the page's resolution
     GreyImage ink;    // the same: 0 paper, 255 the strongest strokes; of this character alone
     Mask mask;        // the filled silhouette at working size
+    // The two between which DetectionOptions::mask chooses, for `--trace`; `network_mask` is empty without a
+    // network.
+    Mask ink_mask, network_mask;
     bool exact_mask = false; // it is the user's word (a mask, a cut-out), not an estimate
 };
 

@@ -64,23 +64,45 @@ GgdTerms matching_terms(const LabelledGraph& a, const LabelledGraph& b,
                         const std::vector<std::pair<int, int>>& pairs, const GgdOptions& options = {});
 
 enum class IlpFormulation { literal, tightened }; // Eq. 4.6 as printed, or as in ERRATA 12
+// Where GLPK stops (ERRATA 48). The defaults are those of thesis ch. 5.
+struct IlpLimits {
+    double gap = 0.00005;     // ε: relative difference of the best matching and the bound of what is left
+    long iterations = 10'000; // subproblems of its branch and bound; 0: no limit
+};
+inline constexpr IlpLimits exact_ilp{0, 0};
 // Whether the program was built with GLPK. No errors. Own.
 bool ilp_available();
 // The same distance by the integer linear program of the thesis, solved by GLPK; arguments and unit as of
-// geometric_graph_distance. Error(usage) without GLPK, Error(internal) when it finds no optimum. Thesis
-// Eq. 4.3 to 4.7 (ERRATA 12).
+// geometric_graph_distance. `optimal` is false, and the matching the best so far (the empty one, if there is
+// none), where the iterations ended before the distance was known to within the gap. Error(usage) without
+// GLPK, Error(internal) when it fails. Thesis Eq. 4.3 to 4.7 (ERRATA 12, 31).
 GgdResult geometric_graph_distance_ilp(const LabelledGraph& a, const LabelledGraph& b,
-                                       const GgdOptions& options, IlpFormulation formulation);
+                                       const GgdOptions& options, IlpFormulation formulation,
+                                       const IlpLimits& limits = exact_ilp);
 
 // --- the step ----------------------------------------------------------------------------------------------
 
+// What finds the distance: our branch and bound, or GLPK by one of two formulations.
+enum class GgdSolver { branch_and_bound, literal, tightened };
+// Which constant K_n takes the place of when the reference is a quadruped (ERRATA 8).
+enum class KnReading { none, k_v, k_e, k_l, all };
+// Whether a reference is also tried left for right (ERRATA 11): never; the side of the smaller distance; or
+// the distance and the side of the head decide together.
+enum class Mirroring { none, distance, head };
+
 struct IdentificationOptions {
     GgdOptions ggd;
-    bool thesis_score = false; // `thesis`: score = ggd, K_v = 0.38 for the quadruped (ERRATA 8), not mirrored
-    bool use_evidence = true;  // presence and place of parts enter the score (ERRATA 10); false: score = the
-                               // divided distance, ggd / (K_e Σ|e'|) (ERRATA 9)
-    std::string reference;     // decides when not empty, whatever the scores are
-    bool use_ilp = false; // `thesis`: solve the ILP with GLPK too, asserted equal to the branch and bound
+    GgdSolver solver = GgdSolver::branch_and_bound; // `thesis`: literal. Without GLPK branch and bound serves
+    IlpLimits ilp;                                  // of the other two
+    double k_n = 0.38;                              // thesis ch. 5, undefined there
+    KnReading k_n_replaces = KnReading::none;       // `thesis`: k_v
+    Mirroring mirrored = Mirroring::head;           // `thesis`: none
+    bool thesis_score = false;                      // `thesis`: score = ggd
+    bool use_evidence = true; // presence and place of parts enter the score (ERRATA 10); false: score = the
+                              // divided distance, ggd / (K_e Σ|e'|) (ERRATA 9)
+    // What cannot move, as identify() says below, is no character; `thesis`: false.
+    bool reject_unmovable = true;
+    std::string reference; // decides when not empty, whatever the scores are
 };
 
 struct Candidate {
@@ -112,9 +134,10 @@ struct Identification {
 // Step 4 (thesis 4.5, ERRATA 8 to 13). `labels` has the size of the graph, 0 outside the silhouette.
 // Throws CharacterRejected("identify", …) for what cannot move: a skeleton without an edge, more than 24 ends
 // (a scribble), one label only, or neither an end nor 2 % of the silhouette that is limb, wing or tail, and
-// no head that ends a body of 15 % (a head alone); when `options.reference` says what it moves like, for a
-// skeleton without an edge only. Error(input) when `options.reference` is none of the
-// references. `seen`: what the segmentation network says of the type, a part of the evidence.
+// no head that ends a body of 15 % (a head alone); when `options.reference` says what it moves like,
+// for a skeleton without an edge only; without `options.reject_unmovable` never. Error(input) when
+// `options.reference` is none of the references. `seen`: what the segmentation network says of the type, a
+// part of the evidence.
 Identification identify(const SkeletonGraph& graph, const LabelMap& labels,
                         const std::vector<ReferenceSkeleton>& references,
                         const IdentificationOptions& options = {}, const TypeProbabilities& seen = {});

@@ -107,6 +107,20 @@ GreyImage ink_of_crop(const Grid<float>& darkness);
 // Back to [0, 1]. No error. Own.
 Grid<float> darkness_of(const GreyImage& ink);
 
+// How unevenly a page is lit, and how grainy its paper is: what a camera leaves and a drawing program does
+// not.
+struct PaperLight {
+    double fall = 0;  // by how much the darkest bare paper falls short of the brightest (5th and 95th
+                      // percentile of its blocks), 0 to 1
+    double grain = 0; // median over the bare blocks of the mean difference of horizontal neighbours, 0 to 255
+};
+// No error; zeros of an empty picture. Own.
+PaperLight paper_light(const RgbImage& page);
+// Whether the picture is a photograph of a drawing rather than a scan or a digital drawing: the light falls
+// off over its paper by more than 4 % (docs/robustness.md, "Photographs"). No error. Own; the thesis (ch. 5)
+// treats photographs apart and does not say how it knows them.
+bool is_photograph(const RgbImage& page);
+
 // --- size ------------------------------------------------------------------------------------------------
 
 // Per axis: area average when it shrinks, bilinear when it grows (pixel centres at integer + ½ of the scaled

@@ -22,6 +22,7 @@
 namespace pantin {
 
 struct AnimationOptions {
+    ClipSet clips = ClipSet::standard; // of the references; `thesis`: those of its chapter 6.1
     int samples = 24; // key poses of a clip in character.glb and between which frames are interpolated
     double motion_start = 0, motion_seconds = 12; // the part of a recorded motion that is used
     Way motion_way = Way::automatic;              // what becomes of its way over the ground
@@ -56,5 +57,13 @@ struct RenamedOption {
 };
 // All of them. No errors. Own.
 std::span<const RenamedOption> renamed_options();
+
+// A switch that has become a choice, under another name or the same; a configuration may still say true or
+// false, which stand for these two of its values.
+struct FormerSwitch {
+    std::string_view former, name, if_true, if_false;
+};
+// All of them. No errors. Own.
+std::span<const FormerSwitch> former_switches();
 
 } // namespace pantin

@@ -93,6 +93,16 @@ struct ReferenceSkeleton {
     std::vector<ReferenceClip> clips; // the first one is the default
 };
 
+// Which clips a reference plays: those of its file, or, where the thesis describes any (6.1: humanoid and
+// quadruped), these.
+enum class ClipSet { standard, thesis };
+// The clips of thesis 6.1 for the reference, by the parts that its joints move: of a humanoid arms and legs
+// swing forward and backward, out of the picture's plane, and the head goes left and right; of a quadruped
+// the legs go left and right, in the plane, the tail forward and backward, out of it, and the head up and
+// down. One clip, `walk`. Of any other reference its own clips, since the thesis describes none. Angles and
+// phases are ours: the thesis prints none. No errors.
+std::vector<ReferenceClip> thesis_clips(const ReferenceSkeleton& reference);
+
 // Has arms and legs: joints arm_left, arm_right, leg_left and leg_right. Recorded motions and VRM names are
 // for these. No errors. Own.
 bool is_humanoid(const ReferenceSkeleton& reference);

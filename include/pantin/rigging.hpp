@@ -160,11 +160,16 @@ struct VertexWeights {
     std::array<int, 4> bones{};      // unused: 0
     std::array<double, 4> weights{}; // non-negative multiples of 2^-16, descending, sum exactly 1
 };
+// The set EF of Algorithm 4.4, among which a vertex belongs to the nearest: the ends that have a partner in
+// the reference, or all ends of the skeleton (an end without a partner then keeps its vertices for the body).
+enum class WeightEnds { mapped, all };
+
 struct RigOptions {
     MappingOptions mapping;
     MeshOptions mesh;
-    bool thesis_weights = false; // Algorithm 4.4 to the letter, one bone per end-effector
-    int limb_segments = 2;       // bones per limb, wing or tail (1 to 4), a short one has 1; `thesis`: 1
+    bool thesis_weights = false;                 // Algorithm 4.4 to the letter, one bone per end-effector
+    WeightEnds weight_ends = WeightEnds::mapped; // of `thesis_weights`; `thesis`: all
+    int limb_segments = 2; // bones per limb, wing or tail (1 to 4), a short one has 1; `thesis`: 1
 };
 struct Rig {
     int width = 0, height = 0; // of the working crop
@@ -178,7 +183,8 @@ struct Rig {
     bool solid = false; // a closed surface in 3D (modeling), which is lit; else a flat drawing, which is not
 };
 // Step 5 as a whole (thesis 4.6): mapping, mesh, bones, weights. `labels` has the size of the graph; the rig
-// is in its pixels. Throws CharacterRejected("rig", …) when no end-effector can be mapped or the silhouette
+// is in its pixels. Throws CharacterRejected("rig", …) when no end-effector can be mapped (with
+// `thesis_weights` the body is then the only bone) or the silhouette
 // is empty; Error(input) when the identified reference is none of the references.
 Rig rig(const SkeletonGraph& graph, const LabelMap& labels, const Identification& identification,
         const std::vector<ReferenceSkeleton>& references, const RigOptions& options = {});

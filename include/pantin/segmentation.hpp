@@ -64,11 +64,19 @@ struct SilhouetteOptions {
     double speck_share = 0.004;
 };
 
+// Which drawings get grey erosion: none; photographs, as is_photograph() (pantin/image.hpp) says of the crop
+// (by the pipeline: a Segmenter sees no colours and takes this for `never`); all.
+enum class GreyErosion { never, photographs, always };
+
 struct SegmentationOptions {
     int threads = 1; // results do not depend on it
     // Thesis ch. 5: grey erosion of photographs, so that strokes are as thick and sharp as in the training
     // data: the darkest value of the 3×3 neighbourhood at the network's resolution.
-    bool grey_erosion = false;
+    // `thesis`: photographs.
+    GreyErosion grey_erosion = GreyErosion::never;
+    // Whether the detector's mask is an estimate that the network corrects (SilhouetteOptions). `thesis`:
+    // false, the silhouette is the mask, and every pixel of it gets a part.
+    bool refine_silhouette = true;
     // Test-time augmentation: probabilities are means over several views of the drawing, with its mirror
     // image and tilted by so many degrees to either side (0: not). A view counts exp(inverse_temperature ·
     // its confidence). `thesis`: one view.

@@ -26,6 +26,10 @@ enum class SkeletonMethod {
               // 2012)
 };
 
+// When the thinning has come to its end: after an iteration both halves of which deleted nothing (Zhang and
+// Suen), or after the first half that did, as Algorithm 4.1 has it (lines 11 and 21).
+enum class ThinningStop { both, either };
+
 struct SkeletonizationOptions {
     SkeletonMethod method = SkeletonMethod::voronoi;
     Residual residual = Residual::chord; // `thesis`: arc
@@ -42,9 +46,16 @@ struct SkeletonizationOptions {
     // Limbs, tails or wings that touch are cut apart where they are farthest from the body, since a cycle has
     // no end that could move (11 of 562 figures); `thesis`: false.
     bool cut_cycles = true;
+    ThinningStop thinning_stop = ThinningStop::both; // `thesis`: either
+    // Ridges that run beside each other enclose pixels of the shape, which thinning keeps as small cycles.
+    // They are filled before; `thesis`: false.
+    bool fill_pockets = true;
     // A shape whose skeleton is a single point (a round duck) gets half the threshold, again and again;
     // `thesis`: false.
     bool lower_threshold = true;
+    // A skeleton that is a single point after H1 and H2 has nothing that could move: no character. `thesis`:
+    // false, it rests.
+    bool reject_point = true;
 };
 
 struct SkeletonVertex {
@@ -88,7 +99,8 @@ struct Skeletonization {
 // largest component counts. The skeleton is homotopic to the mask before cycles are cut, so it is connected.
 // A silhouette with neither end nor junction (a ring) gives a triangle. Throws
 // CharacterRejected("skeletonize", …) when the silhouette is empty, its borders have more than 100,000
-// points, or the skeleton shrinks to a single point after H1 and H2 (a disc, a head alone).
+// points, or, with `reject_point`, the skeleton shrinks to a single point after H1 and H2 (a disc, a head
+// alone).
 Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions& options = {});
 
 // --- the sub-steps, each usable alone; masks and label maps of one size ------------------------------------
@@ -100,9 +112,9 @@ struct Thinning {
 };
 // Thinning of a mask, outside of which is background. No errors. Zhang & Suen 1984, as Algorithm 4.1 of the
 // thesis with ERRATA 5.
-Thinning zhang_suen_steps(const Mask& mask);
+Thinning zhang_suen_steps(const Mask& mask, ThinningStop stop = ThinningStop::both);
 // Its result alone, of the mask's size. No errors. Algorithm 4.1.
-Mask zhang_suen(const Mask& mask);
+Mask zhang_suen(const Mask& mask, ThinningStop stop = ThinningStop::both);
 // The skeleton without the pixels of staircases that thinning leaves and that connect nothing, of its size.
 // No errors. Own (ERRATA 6).
 Mask remove_redundant_pixels(const Mask& skeleton);

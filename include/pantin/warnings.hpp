@@ -20,14 +20,15 @@ namespace pantin {
 // --- kinds -------------------------------------------------------------------------------------------------
 
 enum class WarningKind {
-    filled_crop,  // the silhouette fills its crop: the board was cut out, not what is on it
-    lost_ink,     // ink of the character lies outside its silhouette
-    lost_mask,    // the silhouette leaves out some of the mask that the user gave
-    hanging_head, // the head hangs upside down or below the body, which the drawing's does not
-    still_limbs,  // limbs do not move in a walk
-    joined_limbs, // several legs move as a block, because the space between them is filled
-    small_figure, // the figure is small in its film
-    unsure_type,  // another type is nearly as likely
+    filled_crop,       // the silhouette fills its crop: the board was cut out, not what is on it
+    lost_ink,          // ink of the character lies outside its silhouette
+    lost_mask,         // the silhouette leaves out some of the mask that the user gave
+    hanging_head,      // the head hangs upside down or below the body, which the drawing's does not
+    still_limbs,       // limbs do not move in a walk
+    joined_limbs,      // several legs move as a block, because the space between them is filled
+    small_figure,      // the figure is small in its film
+    unsure_type,       // another type is nearly as likely
+    unproven_distance, // the graph distance decides, and is not known to be the smallest
     count
 };
 inline constexpr int warning_count = static_cast<int>(WarningKind::count);
@@ -49,6 +50,7 @@ inline constexpr std::array<WarningRow, warning_count> warning_table = {{
     {WarningKind::joined_limbs, "joined_limbs", 0.60, false},
     {WarningKind::small_figure, "small_figure", 0.25, true},
     {WarningKind::unsure_type,  "unsure_type",  0.50, true},
+    {WarningKind::unproven_distance, "unproven_distance", 0, false},
 }};
 // clang-format on
 
@@ -121,6 +123,12 @@ double figure_size(const PosedClip& clip, const View& view);
 // reference is like any (a fish, a bust). `references` are those of the candidates. No error. Own.
 std::string second_type(const Identification& identification,
                         const std::vector<ReferenceSkeleton>& references);
+
+// Share of the references, 0 to 1, whose graph distance is not proven to be the smallest (`optimal`), where
+// the distance alone decides (no evidence); else 0. No error. Own.
+double unproven_distance(const Identification& identification);
+// The text of that warning, with the references' names; "" when all are proven. No error. Own.
+std::string unproven_line(const Identification& identification);
 
 // --- all of them -------------------------------------------------------------------------------------------
 

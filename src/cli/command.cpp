@@ -201,6 +201,9 @@ Settings make_settings(const CommonOptions& options, const RenderFlags& flags) {
     if (!options.quiet && isatty(STDERR_FILENO)) settings.progress = show_progress;
     settings.notice = [options](const std::string& line) { print_result(options, line); };
     if (!options.quiet) settings.warning = print_warning;
+    if (!options.quiet && !ilp_available() &&
+        settings.options.identification.solver != GgdSolver::branch_and_bound)
+        print_warning("this program was built without GLPK: branch and bound finds the graph distances");
     return settings;
 }
 

@@ -181,19 +181,63 @@ RgbImage inverted(RgbImage page) {
     return page;
 }
 
-Grouping group(const RgbImage& page, const PageInk& page_ink, const Mask& ink, int factor,
-               const DetectionOptions& options, const CharacterFinder* finder) {
-    if (finder) {
-        const std::vector<CharacterFinder::Found> found = whole_characters(
-            finder->find(page_ink.light_on_dark ? inverted(page) : page, page_ink.darkness, options.threads),
-            options);
-        Claims claims{CharacterFinder::claims(found, ink.width(), ink.height(), factor), {}};
-        for (const CharacterFinder::Found& f : found) claims.scores.push_back(f.score);
-        DetectionOptions rules = options;
-        if (page_ink.cut_out) rules.shared_claim = 2; // cut out in one piece: one character
-        if (!found.empty()) return join_pieces(group_by_claims(ink, claims, rules), options);
-    }
-    return group_ink(ink, options);
+// What the network finds on the page; nothing without one.
+std::vector<CharacterFinder::Found> find_by_network(const RgbImage& page, const PageInk& page_ink,
+                                                    const DetectionOptions& options,
+                                                    const CharacterFinder* finder) {
+    if (!finder) return {};
+    return whole_characters(
+        finder->find(page_ink.light_on_dark ? inverted(page) : page, page_ink.darkness, options.threads),
+        options);
+}
+
+Grouping group(const std::vector<CharacterFinder::Found>& found, const PageInk& page_ink, const Mask& ink,
+               int factor, const DetectionOptions& options) {
+    if (found.empty()) return group_ink(ink, options);
+    Claims claims{CharacterFinder::claims(found, ink.width(), ink.height(), factor), {}};
+    for (const CharacterFinder::Found& f : found) claims.scores.push_back(f.score);
+    DetectionOptions rules = options;
+    if (page_ink.cut_out) rules.shared_claim = 2; // cut out in one piece: one character
+    return join_pieces(group_by_claims(ink, claims, rules), options);
+}
+
+// The network's box in page pixels, at least one a side, cut at the page's border.
+Box box_of(const CharacterFinder::Found& found, const RgbImage& page) {
+    const int left = std::clamp(static_cast<int>(std::floor(found.left)), 0, page.width() - 1);
+    const int top = std::clamp(static_cast<int>(std::floor(found.top)), 0, page.height() - 1);
+    const int right = std::clamp(static_cast<int>(std::ceil(found.right)), left + 1, page.width());
+    const int bottom = std::clamp(static_cast<int>(std::ceil(found.bottom)), top + 1, page.height());
+    return {left, top, right - left, bottom - top};
+}
+
+// The network's mask at working size: one half and more at the middle of the pixel (thesis 4.2, Fig. 4.7).
+Mask network_mask(const CharacterFinder::Found& found, const Box& box, int width, int height) {
+    Mask mask(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            mask(x, y) = found.probability(box.x + (x + 0.5) / width * box.width,
+                                           box.y + (y + 0.5) / height * box.height) >= 0.5;
+    return mask;
+}
+
+bool is_blank(const Mask& mask) { return area_of(mask) == 0; }
+
+// One group of ink as a character, by its box, and the network's where it found it. Its mask may be blank.
+DetectedCharacter make_character(const PageInk& page_ink, const Mask& own, const Box& box,
+                                 const CharacterFinder::Found* found, const DetectionOptions& options) {
+    DetectedCharacter character;
+    character.box = box;
+    character.scale = working_scale(box, options);
+    const Mask ink = at_working_size(own, character.scale, 1.0f / 3);
+    character.ink_mask = silhouette_of(ink);
+    if (found) character.network_mask = network_mask(*found, box, ink.width(), ink.height());
+    character.mask = character.ink_mask;
+    if (options.mask == MaskSource::network && !is_blank(character.network_mask))
+        character.mask = character.network_mask;
+    else if (page_ink.cut_out)
+        keep_cut_out(character, own);
+    character.score = found ? found->score : inked_share(character.mask, ink);
+    return character;
 }
 
 // Share of a character's silhouette that lies inside of another's.
@@ -255,19 +299,19 @@ Detection detect(const RgbImage& page, const PageInk& page_ink, const DetectionO
     result.ink = find_ink(page_ink, options);
     const int factor =
         (std::max(page.width(), page.height()) + options.grouping_size - 1) / options.grouping_size;
-    const Grouping grouping = group(page, page_ink, reduce(result.ink, factor), factor, options, finder);
+    const std::vector<CharacterFinder::Found> found = find_by_network(page, page_ink, options, finder);
+    const Grouping grouping = group(found, page_ink, reduce(result.ink, factor), factor, options);
     for (int index : largest_groups(grouping, options.max_characters)) {
-        DetectedCharacter character;
-        character.box = page_box(grouping.boxes[index], factor, page);
-        if (std::max(character.box.width, character.box.height) < options.min_side) continue;
-        character.scale = working_scale(character.box, options);
-        const Mask own = own_ink(result.ink, grouping, index + 1, factor, character.box);
-        const Mask ink = at_working_size(own, character.scale, 1.0f / 3);
-        character.mask = silhouette_of(ink);
-        if (page_ink.cut_out) keep_cut_out(character, own);
-        if (std::none_of(character.mask.begin(), character.mask.end(), [](std::uint8_t v) { return v != 0; }))
-            continue;
-        character.score = grouping.scores.empty() ? inked_share(character.mask, ink) : grouping.scores[index];
+        const CharacterFinder::Found* by = grouping.detections.empty()
+                                               ? nullptr
+                                               : &found[static_cast<std::size_t>(grouping.detections[index])];
+        const Box box = by && options.mask == MaskSource::network
+                            ? page_box(box_of(*by, page), 1, page)
+                            : page_box(grouping.boxes[index], factor, page);
+        if (std::max(box.width, box.height) < options.min_side) continue;
+        const Mask own = own_ink(result.ink, grouping, index + 1, factor, box);
+        DetectedCharacter character = make_character(page_ink, own, box, by, options);
+        if (is_blank(character.mask)) continue;
         character.drawing = crop(page, character.box);
         character.ink = ink_of_crop(
             own_darkness(crop(page_ink.darkness, character.box), own, crop(result.ink, character.box)));

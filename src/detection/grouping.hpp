@@ -11,9 +11,10 @@
 namespace pantin {
 
 struct Grouping {
-    Grid<int> groups;           // per pixel: 0, or number of the group (1, 2, …) that its ink belongs to
-    std::vector<Box> boxes;     // per group, of its ink
-    std::vector<double> scores; // per group, of the network that found it; empty without one
+    Grid<int> groups;            // per pixel: 0, or number of the group (1, 2, …) that its ink belongs to
+    std::vector<Box> boxes;      // per group, of its ink
+    std::vector<double> scores;  // per group, of the network that found it; empty without one
+    std::vector<int> detections; // per group, which of the network's it is, from 0; empty without one
 };
 
 // Rules in grouping.cpp. `ink`: the page, possibly reduced.

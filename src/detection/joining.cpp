@@ -72,12 +72,13 @@ std::vector<std::size_t> find_wholes(const Grouping& grouping, const DetectionOp
 Grouping join_pieces(Grouping grouping, const DetectionOptions& options) {
     if (grouping.scores.empty() || options.part_score <= 0) return grouping;
     const std::vector<std::size_t> whole = find_wholes(grouping, options);
-    Grouping result{std::move(grouping.groups), {}, {}};
+    Grouping result{std::move(grouping.groups), {}, {}, {}};
     std::vector<int> number(whole.size(), 0); // of the groups that stay, from 1
     for (std::size_t i = 0; i < whole.size(); ++i) {
         if (whole[i] != i) continue;
         result.boxes.push_back(grouping.boxes[i]);
         result.scores.push_back(grouping.scores[i]);
+        if (!grouping.detections.empty()) result.detections.push_back(grouping.detections[i]);
         number[i] = static_cast<int>(result.boxes.size());
     }
     for (std::size_t i = 0; i < whole.size(); ++i) {

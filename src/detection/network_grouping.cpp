@@ -170,7 +170,7 @@ Grouping group_by_claims(const Mask& ink, const Claims& claims, const DetectionO
     const Components pieces = connected_components(ink);
     Grid<int> groups = give_claimed(pieces, claims, options);
     const int count = static_cast<int>(claims.scores.size());
-    if (count == 0) return {std::move(groups), {}, {}};
+    if (count == 0) return {std::move(groups), {}, {}, {}};
     give_unclaimed(groups, pieces, boxes_of(groups, count), options);
 
     // Detections without ink of their own disappear; the others are numbered anew.
@@ -181,6 +181,7 @@ Grouping group_by_claims(const Mask& ink, const Claims& claims, const DetectionO
         if (boxes[g].width == 0) continue;
         result.boxes.push_back(boxes[g]);
         result.scores.push_back(claims.scores[g]);
+        result.detections.push_back(static_cast<int>(g));
         number[g + 1] = static_cast<int>(result.boxes.size());
     }
     for (int& group : groups) group = number[static_cast<std::size_t>(group)];

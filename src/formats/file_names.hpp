@@ -50,6 +50,8 @@ inline constexpr const char* model_views = "views.png";
 // Intermediate products (--trace), in a folder of either.
 inline constexpr const char* trace = "trace"; // folder
 inline constexpr const char* trace_ink = "ink.png";
+inline constexpr const char* trace_ink_mask = "mask-ink.png";
+inline constexpr const char* trace_network_mask = "mask-network.png";
 inline constexpr const char* trace_probability = "probability-"; // and LABEL.png
 inline constexpr const char* trace_silhouette = "silhouette.png";
 inline constexpr const char* trace_voronoi = "voronoi.json";

@@ -30,7 +30,7 @@ Mapping mapping_from_json(const std::string& text, const std::string& file, cons
     const long vertices = static_cast<long>(graph.vertices.size()),
                nodes = static_cast<long>(reference.nodes.size());
     Mapping mapping;
-    for (const JsonReader& item : reader.at("pairs").elements(1, 1000)) {
+    for (const JsonReader& item : reader.at("pairs").elements(0, 1000)) {
         EndPair pair;
         pair.end = read_int(item.at("end"), 0, vertices - 1);
         pair.reference_end = read_int(item.at("reference_end"), 0, nodes - 1);

@@ -37,6 +37,12 @@ void trace_detection(const fs::path& folder, const Mask& ink) {
     if (!ink.empty()) save_png(trace_folder(folder) / file_names::trace_ink, to_grey(ink));
 }
 
+void trace_masks(const fs::path& folder, const Mask& ink_mask, const Mask& network_mask) {
+    if (!ink_mask.empty()) save_png(trace_folder(folder) / file_names::trace_ink_mask, to_grey(ink_mask));
+    if (!network_mask.empty())
+        save_png(trace_folder(folder) / file_names::trace_network_mask, to_grey(network_mask));
+}
+
 void trace_segmentation(const fs::path& folder, const Segmentation& segmentation) {
     const fs::path trace = trace_folder(folder);
     for (std::size_t i = 0; i < segmentation.probabilities.size() && i < label_names.size(); ++i)

@@ -15,7 +15,6 @@ namespace {
 constexpr int most_ends = 24;          // a skeleton with more is a scribble
 constexpr double tie = 1e-9;           // distances closer than this are equal
 constexpr double head_weight = 2;      // of the head's side against the graph distance
-constexpr double ilp_margin = 1e-6;    // GLPK's own tolerance on sums
 constexpr double smallest_body = 0.15; // share of the silhouette on which a head can nod
 constexpr double smallest_part =
     0.02; // share of the silhouette that can move although no skeleton end lies in it
@@ -64,20 +63,14 @@ void reject_what_cannot_move(const SkeletonGraph& graph, const LabelMap& labels)
         reject("no limb, wing or tail, and no head on a body: nothing can move");
 }
 
-GgdOptions options_for(const ReferenceSkeleton& reference, const IdentificationOptions& options) {
-    GgdOptions ggd = options.ggd;
-    if (options.thesis_score && reference.name == "quadruped") ggd.k_v = 0.38; // ERRATA 8
-    return ggd;
-}
-
-GgdResult solve(const LabelledGraph& a, const LabelledGraph& b, const GgdOptions& ggd, bool use_ilp) {
-    const GgdResult result = geometric_graph_distance(a, b, ggd);
-    if (use_ilp && ilp_available() && result.optimal) {
-        const GgdResult check = geometric_graph_distance_ilp(a, b, ggd, IlpFormulation::tightened);
-        if (std::abs(check.distance - result.distance) > ilp_margin)
-            throw Error(ErrorKind::internal, "branch and bound and GLPK disagree on a graph distance");
-    }
-    return result;
+// Without GLPK our own search serves.
+GgdResult solve(const LabelledGraph& a, const LabelledGraph& b, const GgdOptions& ggd,
+                const IdentificationOptions& options) {
+    if (options.solver == GgdSolver::branch_and_bound || !ilp_available())
+        return geometric_graph_distance(a, b, ggd);
+    return geometric_graph_distance_ilp(
+        a, b, ggd, options.solver == GgdSolver::literal ? IlpFormulation::literal : IlpFormulation::tightened,
+        options.ilp);
 }
 
 // Mean x of the vertices with the label; false when there is none.
@@ -109,27 +102,6 @@ bool mirror_is_better(const LabelledGraph& graph, const LabelledGraph& model, do
            distance + head_weight * std::abs(drawn - side) - tie;
 }
 
-// The better side of a reference; the drawn side on a tie.
-Candidate compare(const LabelledGraph& graph, const ReferenceSkeleton& reference,
-                  const IdentificationOptions& options) {
-    const GgdOptions ggd = options_for(reference, options);
-    const LabelledGraph model = normalised(to_labelled_graph(reference));
-    GgdResult best = solve(graph, model, ggd, options.use_ilp);
-    Candidate candidate;
-    candidate.reference = reference.name;
-    if (!options.thesis_score) {
-        GgdResult other = solve(graph, mirrored(model), ggd, options.use_ilp);
-        candidate.mirrored = mirror_is_better(graph, model, best.distance, other.distance);
-        if (candidate.mirrored) best = std::move(other);
-    }
-    candidate.distance = best.distance;
-    candidate.optimal = best.optimal;
-    candidate.pairs = std::move(best.pairs);
-    candidate.terms =
-        matching_terms(graph, candidate.mirrored ? mirrored(model) : model, candidate.pairs, ggd);
-    return candidate;
-}
-
 // K_e Σ|e'|: what a drawing without any edge in common would pay for the reference (ERRATA 9).
 double reference_cost(const ReferenceSkeleton& reference, const GgdOptions& ggd) {
     const LabelledGraph model = normalised(to_labelled_graph(reference));
@@ -153,6 +125,42 @@ std::string type_of(const ReferenceSkeleton& reference) {
         smallest = divided;
     }
     return nearest;
+}
+
+// K_n where the reference is a quadruped, by name, by what it is like, or by what it is nearest to (ERRATA
+// 8).
+GgdOptions options_for(const ReferenceSkeleton& reference, const IdentificationOptions& options) {
+    GgdOptions ggd = options.ggd;
+    const KnReading reading = options.k_n_replaces;
+    if (reading == KnReading::none) return ggd;
+    if ((reference.like.empty() ? type_of(reference) : reference.like) != "quadruped") return ggd;
+    if (reading == KnReading::k_v || reading == KnReading::all) ggd.k_v = options.k_n;
+    if (reading == KnReading::k_e || reading == KnReading::all) ggd.k_e = options.k_n;
+    if (reading == KnReading::k_l || reading == KnReading::all) ggd.k_l = options.k_n;
+    return ggd;
+}
+
+// The better side of a reference; the drawn side on a tie.
+Candidate compare(const LabelledGraph& graph, const ReferenceSkeleton& reference,
+                  const IdentificationOptions& options) {
+    const GgdOptions ggd = options_for(reference, options);
+    const LabelledGraph model = normalised(to_labelled_graph(reference));
+    GgdResult best = solve(graph, model, ggd, options);
+    Candidate candidate;
+    candidate.reference = reference.name;
+    if (options.mirrored != Mirroring::none) {
+        GgdResult other = solve(graph, mirrored(model), ggd, options);
+        candidate.mirrored = options.mirrored == Mirroring::head
+                                 ? mirror_is_better(graph, model, best.distance, other.distance)
+                                 : other.distance < best.distance - tie;
+        if (candidate.mirrored) best = std::move(other);
+    }
+    candidate.distance = best.distance;
+    candidate.optimal = best.optimal;
+    candidate.pairs = std::move(best.pairs);
+    candidate.terms =
+        matching_terms(graph, candidate.mirrored ? mirrored(model) : model, candidate.pairs, ggd);
+    return candidate;
 }
 
 // What the decision rests on beside the graph.
@@ -274,8 +282,8 @@ Identification identify(const SkeletonGraph& graph, const LabelMap& labels,
                         const std::vector<ReferenceSkeleton>& references,
                         const IdentificationOptions& options, const TypeProbabilities& seen) {
     if (references.empty()) throw Error(ErrorKind::input, "there is no reference skeleton to compare with");
-    if (graph.edges.empty()) reject("a blob: its skeleton has no edge");
-    if (options.reference.empty()) reject_what_cannot_move(graph, labels);
+    if (graph.edges.empty() && options.reject_unmovable) reject("a blob: its skeleton has no edge");
+    if (options.reference.empty() && options.reject_unmovable) reject_what_cannot_move(graph, labels);
     const LabelledGraph drawn = normalised(to_labelled_graph(graph));
     const Observations observed{measure_traits(graph, labels), seen};
     // The references that stand on their own …

@@ -11,6 +11,8 @@
 
 namespace pantin {
 
+float brightness(const Colour& c) { return 0.299f * c[0] + 0.587f * c[1] + 0.114f * c[2]; }
+
 namespace {
 
 constexpr int min_block = 8;        // px; a block holds a pen stroke and paper beside it
@@ -31,8 +33,6 @@ constexpr long edge_weight = 8;        // what a block at the page's border coun
 constexpr float lightest_ground = 170; // brighter paper is paper, whatever is on it
 constexpr float clear_contrast = 25;   // of 255; less than this is noise and shade
 constexpr double most_drawn = 0.4;     // of the page may be lighter than its ground: beyond, it is a sheet
-
-float brightness(const Colour& c) { return 0.299f * c[0] + 0.587f * c[1] + 0.114f * c[2]; }
 
 int block_size(int width, int height) {
     return std::max(min_block, (std::max(width, height) + blocks_per_side - 1) / blocks_per_side);
@@ -161,7 +161,7 @@ Grid<Colour> smooth(const Grid<Colour>& in) {
 }
 
 // Median over the bare blocks of the mean difference between horizontal neighbours.
-bool is_even(const GreyImage& grey, int block, const Mask& bare) {
+float grain_of(const GreyImage& grey, int block, const Mask& bare) {
     std::vector<float> grain;
     for (int by = 0; by < bare.height(); ++by)
         for (int bx = 0; bx < bare.width(); ++bx) {
@@ -172,10 +172,10 @@ bool is_even(const GreyImage& grey, int block, const Mask& bare) {
                     sum += std::abs(grey(x, y) - grey(x - 1, y)), ++count;
             if (count > 0) grain.push_back(static_cast<float>(sum) / static_cast<float>(count));
         }
-    if (grain.empty()) return false;
+    if (grain.empty()) return even_grain;
     const auto middle = grain.begin() + static_cast<std::ptrdiff_t>(grain.size() / 2);
     std::nth_element(grain.begin(), middle, grain.end());
-    return *middle < even_grain;
+    return *middle;
 }
 
 } // namespace
@@ -186,7 +186,8 @@ Paper estimate_paper(const RgbImage& page) {
     paper.block = block_size(page.width(), page.height());
     Grid<Colour> colours = block_colours(page, grey, paper.block, paper_percent);
     paper.bare = ground_of(colours);
-    paper.even = is_even(grey, paper.block, paper.bare);
+    paper.grain = grain_of(grey, paper.block, paper.bare);
+    paper.even = paper.grain < even_grain;
     const Grid<Colour> around = continued(colours, paper.bare);
     const float depth = paper.even ? even_depth : shadow_depth;
     for (std::size_t i = 0; i < colours.size(); ++i) {

@@ -23,10 +23,11 @@ inline const char* name_of(Step step) { return step_names[static_cast<std::size_
 struct Character {
     Step reached = Step::detect; // the last step whose products are there
 
-    RgbImage drawing;        // 1: the crop, page pixels
-    GreyImage ink;           //    the same: what of it is drawn
-    Mask mask;               //    working size
-    bool exact_mask = false; // the mask is the silhouette, to the pixel: the user gave it
+    RgbImage drawing;            // 1: the crop, page pixels
+    GreyImage ink;               //    the same: what of it is drawn
+    Mask mask;                   //    working size
+    bool exact_mask = false;     // the mask is the silhouette, to the pixel: the user gave it
+    Mask ink_mask, network_mask; // the two silhouettes that detection chooses between, where it ran
     std::optional<LabelMap> given_labels;
 
     Segmentation segmentation;       // 2

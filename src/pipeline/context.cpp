@@ -51,7 +51,11 @@ void Context::prepare() {
 }
 
 const std::vector<ReferenceSkeleton>& Context::references() {
-    if (!references_) references_ = load_references(settings_.references);
+    if (!references_) {
+        references_ = load_references(settings_.references);
+        if (options_.animation.clips == ClipSet::thesis)
+            for (ReferenceSkeleton& reference : *references_) reference.clips = thesis_clips(reference);
+    }
     return *references_;
 }
 

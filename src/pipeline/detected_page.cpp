@@ -142,6 +142,8 @@ AnimatedPage detect_characters(const fs::path& image, Context& context) {
         character.ink = std::move(detected.ink);
         character.mask = std::move(detected.mask);
         character.exact_mask = detected.exact_mask;
+        character.ink_mask = std::move(detected.ink_mask);
+        character.network_mask = std::move(detected.network_mask);
         if (given) character.given_labels = std::move(given->labels);
     }
     check_choice(settings.only, page, image);
@@ -161,9 +163,12 @@ void save_detection(const fs::path& out, const AnimatedPage& detected, const Con
         save_png(overview, draw_overview(detected.picture, detected.page));
     if (context.settings().trace) trace_detection(out, detected.ink);
     write_page(out, detected.page); // first, so that the next run knows which folders to clear
-    for (std::size_t i = 0; i < detected.characters.size(); ++i)
-        save_detected(out / detected.page.characters[i].folder, detected.characters[i].drawing,
-                      detected.characters[i].ink, detected.characters[i].mask);
+    for (std::size_t i = 0; i < detected.characters.size(); ++i) {
+        const Character& character = detected.characters[i];
+        const fs::path folder = out / detected.page.characters[i].folder;
+        save_detected(folder, character.drawing, character.ink, character.mask);
+        if (context.settings().trace) trace_masks(folder, character.ink_mask, character.network_mask);
+    }
 }
 
 void require_folder(const fs::path& folder) {

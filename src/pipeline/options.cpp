@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The two presets, and every option by its name in a configuration file.
 #include <algorithm>
+#include <deque>
 #include <map>
 
 #include "core/decimal.hpp"
@@ -21,6 +22,12 @@ constexpr RenamedOption former_names[] = {
     {"segmentation.sharpness", "segmentation.inverse_temperature"},
     {"segmentation.sure_enough", "segmentation.sufficient_confidence"},
     {"segmentation.least_sureness", "segmentation.least_confidence"},
+};
+
+// Switches that have become choices.
+constexpr FormerSwitch switches[] = {
+    {"identification.use_ilp", "identification.solver", "tightened", "branch_and_bound"},
+    {"segmentation.grey_erosion", "segmentation.grey_erosion", "always", "never"},
 };
 
 // Calls visit(name, field, low, high) for numbers and visit(name, field, names) for choices, in a fixed
@@ -50,6 +57,7 @@ template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visi
     visit("detection.enclosed_gain", o.enclosed_gain, 0, 1);
     visit("detection.min_share", o.min_share, 0, 1);
     visit("detection.min_side", o.min_side, 1, 16384);
+    visit("detection.mask", o.mask, {"ink", "network"});
     visit("detection.network_score", o.network_score, 0, 1);
     visit("detection.contained_share", o.contained_share, 0, 1);
     visit("detection.part_score", o.part_score, 0, 1);
@@ -63,7 +71,8 @@ template <class Visitor> void visit_detection(DetectionOptions& o, Visitor& visi
 }
 
 template <class Visitor> void visit_segmentation(SegmentationOptions& o, Visitor& visit) {
-    visit("segmentation.grey_erosion", o.grey_erosion);
+    visit("segmentation.grey_erosion", o.grey_erosion, {"never", "photographs", "always"});
+    visit("segmentation.refine_silhouette", o.refine_silhouette);
     visit("segmentation.mirror", o.mirror);
     visit("segmentation.tilt", o.tilt, 0, 90);
     visit("segmentation.inverse_temperature", o.inverse_temperature, 0, 1000);
@@ -101,7 +110,10 @@ template <class Visitor> void visit_skeletonization(SkeletonizationOptions& o, V
     visit("skeletonization.fill_holes_share", o.fill_holes_share, 0, 1);
     visit("skeletonization.recover_parts_share", o.recover_parts_share, 0, 1);
     visit("skeletonization.cut_cycles", o.cut_cycles);
+    visit("skeletonization.thinning_stop", o.thinning_stop, {"both", "either"});
+    visit("skeletonization.fill_pockets", o.fill_pockets);
     visit("skeletonization.lower_threshold", o.lower_threshold);
+    visit("skeletonization.reject_point", o.reject_point);
 }
 
 template <class Visitor> void visit_identification(IdentificationOptions& o, Visitor& visit) {
@@ -113,7 +125,13 @@ template <class Visitor> void visit_identification(IdentificationOptions& o, Vis
     visit("identification.max_nodes", o.ggd.max_nodes, 1, 1'000'000'000);
     visit("identification.thesis_score", o.thesis_score);
     visit("identification.use_evidence", o.use_evidence);
-    visit("identification.use_ilp", o.use_ilp);
+    visit("identification.solver", o.solver, {"branch_and_bound", "literal", "tightened"});
+    visit("identification.ilp_gap", o.ilp.gap, 0, 1);
+    visit("identification.ilp_iterations", o.ilp.iterations, 0, 1'000'000'000);
+    visit("identification.k_n", o.k_n, 0, 1000);
+    visit("identification.k_n_replaces", o.k_n_replaces, {"none", "k_v", "k_e", "k_l", "all"});
+    visit("identification.mirrored", o.mirrored, {"none", "distance", "head"});
+    visit("identification.reject_unmovable", o.reject_unmovable);
 }
 
 template <class Visitor> void visit_modeling(ModelOptions& o, Visitor& visit) {
@@ -151,6 +169,7 @@ template <class Visitor> void visit_rigging(RigOptions& o, Visitor& visit) {
     visit("rigging.snap", o.mesh.snap, 0, 1);
     visit("rigging.cut_touching_parts", o.mesh.cut_touching_parts);
     visit("rigging.thesis_weights", o.thesis_weights);
+    visit("rigging.weight_ends", o.weight_ends, {"mapped", "all"});
     visit("rigging.limb_segments", o.limb_segments, 1, 4);
 }
 
@@ -161,6 +180,7 @@ template <class Visitor> void visit_options(Options& o, Visitor visit) {
     visit_identification(o.identification, visit);
     visit_rigging(o.rigging, visit);
     visit_modeling(o.modeling, visit);
+    visit("animation.clips", o.animation.clips, {"default", "thesis"});
     visit("animation.samples", o.animation.samples, 2, 1000);
     visit("animation.motion_start", o.animation.motion_start, 0.0, 1e6);
     visit("animation.motion_seconds", o.animation.motion_seconds, 0.01, 600.0);
@@ -240,21 +260,16 @@ void take_former_names(std::map<std::string, JsonReader>& given) {
     }
 }
 
-} // namespace
-
-std::span<const RenamedOption> renamed_options() { return former_names; }
-
-Options make_preset(std::string_view name) {
-    Options options;
-    if (name == "default") return options;
-    if (name != "thesis")
-        throw Error(ErrorKind::usage, "--preset: there is no preset '" + std::string(name) +
-                                          "' (default, thesis)" + did_you_mean(name, {"default", "thesis"}));
+// The thesis up to the skeleton (4.2 to 4.4).
+void set_thesis_shape(Options& options) {
     options.detection.working_size = 321;    // ch. 5: the network's input
     options.detection.flatten_sheet = false; // 4.2: the picture as it is
     options.detection.turn_probability = 2;
-    options.detection.part_score = 0;    // 4.2: whatever was detected is a character
-    options.segmentation.mirror = false; // 4.3: one view of the drawing
+    options.detection.part_score = 0;               // 4.2: whatever was detected is a character
+    options.detection.mask = MaskSource::network;   // 4.4: "the mask computed in the detection step" …
+    options.segmentation.refine_silhouette = false; // … and not another one
+    options.segmentation.grey_erosion = GreyErosion::photographs; // ch. 5
+    options.segmentation.mirror = false;                          // 4.3: one view of the drawing
     options.segmentation.tilt = 0;
     options.segmentation.scribble_ratio = 1000;       // 4.3: whatever was detected is a character
     options.segmentation.silhouette.rim = 0;          // 4.2: the detector's mask
@@ -262,18 +277,60 @@ Options make_preset(std::string_view name) {
     options.skeletonization.recover_parts_share = 0;
     options.skeletonization.cut_cycles = false;
     options.skeletonization.lower_threshold = false;
-    options.skeletonization.fill_holes_share = 0;      // ERRATA 4: holes are kept
-    options.identification.thesis_score = true;        // Eq. 4.3–4.7, K_v of ch. 5, ERRATA 8
-    options.identification.use_evidence = false;       // ERRATA 10
-    options.identification.use_ilp = ilp_available();  // ch. 5: solved by GLPK
-    options.rigging.mapping.length_in_pixels = true;   // Eq. 4.9, ERRATA 15
-    options.rigging.mapping.label_aware = false;       // ERRATA 19
-    options.rigging.mesh.interpolate_distance = false; // 4.6: a binary mask, so midpoints (ERRATA 21)
+    options.skeletonization.reject_point = false;
+    options.skeletonization.thinning_stop = ThinningStop::either; // Algorithm 4.1, lines 11 and 21
+    options.skeletonization.fill_pockets = false;                 // ERRATA 3: what thinning keeps stays
+    options.skeletonization.fill_holes_share = 0;                 // ERRATA 4: holes are kept
+}
+
+// From the graph on (4.5, 4.6, 6.1).
+void set_thesis_motion(Options& options) {
+    options.identification.thesis_score = true;           // Eq. 4.3–4.7
+    options.identification.use_evidence = false;          // ERRATA 10
+    options.identification.solver = GgdSolver::literal;   // 4.5, ch. 5: the program as printed, by GLPK
+    options.identification.k_n_replaces = KnReading::k_v; // ERRATA 8
+    options.identification.mirrored = Mirroring::none;    // ERRATA 11
+    options.identification.reject_unmovable = false;      // 4.5: there is always a nearest reference
+    options.rigging.mapping.length_in_pixels = true;      // Eq. 4.9, ERRATA 15
+    options.rigging.mapping.label_aware = false;          // ERRATA 19
+    options.rigging.mesh.interpolate_distance = false;    // 4.6: a binary mask, so midpoints (ERRATA 21)
     options.rigging.mesh.snap = 0;
     options.rigging.mesh.margin = 0;                 // 4.6: the mask itself
     options.rigging.mesh.cut_touching_parts = false; // ERRATA 22
     options.rigging.thesis_weights = true;           // Algorithm 4.4
+    options.rigging.weight_ends = WeightEnds::all;   // its EF
     options.rigging.limb_segments = 1;               // one bone an end-effector
+    options.animation.clips = ClipSet::thesis;       // 6.1
+}
+
+// A former switch counts as the choice that it stands for. The values must outlive the readers: `values`.
+void take_former_switches(std::map<std::string, JsonReader>& given, std::deque<Json>& values) {
+    for (const FormerSwitch& option : switches) {
+        const auto former = given.find(std::string(option.former));
+        if (former == given.end()) continue;
+        const JsonReader reader = former->second;
+        if (option.former == option.name && !reader.value().is_boolean()) continue;
+        values.push_back(std::string(reader.boolean() ? option.if_true : option.if_false));
+        given.erase(former);
+        const std::string name(option.name);
+        if (!given.emplace(name, JsonReader(values.back(), reader.file(), name)).second)
+            reader.fail("is given twice, also as '" + std::string(option.name) + "'");
+    }
+}
+
+} // namespace
+
+std::span<const RenamedOption> renamed_options() { return former_names; }
+std::span<const FormerSwitch> former_switches() { return switches; }
+
+Options make_preset(std::string_view name) {
+    Options options;
+    if (name == "default") return options;
+    if (name != "thesis")
+        throw Error(ErrorKind::usage, "--preset: there is no preset '" + std::string(name) +
+                                          "' (default, thesis)" + did_you_mean(name, {"default", "thesis"}));
+    set_thesis_shape(options);
+    set_thesis_motion(options);
     return options;
 }
 
@@ -282,6 +339,8 @@ void apply_config_text(Options& options, const std::string& text, const std::str
     std::map<std::string, JsonReader> given;
     flatten(JsonReader(json, source), "", given);
     take_former_names(given);
+    std::deque<Json> values;
+    take_former_switches(given, values);
     visit_options(options, Setter{given});
     if (given.empty()) return;
     std::vector<std::string> names;

@@ -29,6 +29,13 @@ namespace {
 // Thesis 4.3 takes every drawing for a character.
 constexpr const char* scribble_text = "looks like a scribble: many strokes, and no parts";
 
+// With the question answered whether the drawing is a photograph (thesis ch. 5).
+SegmentationOptions segmentation_options(const RgbImage& drawing, SegmentationOptions options) {
+    if (options.grey_erosion == GreyErosion::photographs)
+        options.grey_erosion = is_photograph(drawing) ? GreyErosion::always : GreyErosion::never;
+    return options;
+}
+
 // Steps `first` to `last` on a character that has the products of the steps before. CharacterRejected says
 // why it cannot go on. `progress` is told of each step.
 void run_steps(Character& c, const fs::path& folder, Step first, Step last, Context& context,
@@ -46,7 +53,8 @@ void run_steps(Character& c, const fs::path& folder, Step first, Step last, Cont
         if (c.given_labels)
             c.segmentation.labels = *c.given_labels;
         else
-            c.segmentation = context.segmenter().segment(c.ink, c.mask, options.segmentation, c.exact_mask);
+            c.segmentation = context.segmenter().segment(
+                c.ink, c.mask, segmentation_options(c.drawing, options.segmentation), c.exact_mask);
         save_segmentation(folder, c.segmentation, settings.trace);
         c.reached = Step::segment;
         // The files are there: whoever knows better corrects labels.png and goes on with the next step.
@@ -69,6 +77,9 @@ void run_steps(Character& c, const fs::path& folder, Step first, Step last, Cont
                                     options.identification, c.segmentation.type);
         save_identification(folder, c.identification);
         c.reached = Step::identify;
+        if (last == Step::identify) // later steps have it among their warnings
+            if (const std::string line = unproven_line(c.identification); !line.empty())
+                context.warn(folder.string() + ": " + line);
     }
 
     // Step 5 (4.6): end-effectors matched, mesh and skin weights made, clips carried over to the bones.

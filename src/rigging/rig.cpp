@@ -80,11 +80,10 @@ void require_bones(std::size_t bones) {
 }
 
 void rig_as_in_thesis(Rig& rig, const SkeletonGraph& graph, const LabelMap& labels, const LabelMap& filled,
-                      const ReferenceSkeleton& reference, bool mirrored) {
+                      const ReferenceSkeleton& reference, bool mirrored, WeightEnds ends) {
     const Point2d root = inward_paths(graph, filled, distance_transform(foreground(labels))).root;
     rig.bones = make_thesis_bones(graph, reference, rig.mapping, mirrored, root);
-    require_bones(rig.bones.size());
-    rig.weights = thesis_weights(rig.mesh, filled, graph, reference, rig.mapping);
+    rig.weights = thesis_weights(rig.mesh, filled, graph, reference, rig.mapping, ends);
 }
 
 void rig_smoothly(Rig& rig, const SkeletonGraph& graph, const LabelMap& labels, const LabelMap& filled,
@@ -114,7 +113,7 @@ Mesh make_mesh(const Mask& silhouette, const MeshOptions& options) {
 
 Rig rig_with_mapping(const SkeletonGraph& graph, const LabelMap& labels, const ReferenceSkeleton& reference,
                      bool mirrored, const Mapping& mapping, const RigOptions& options) {
-    if (mapping.pairs.empty()) require_bones(0);
+    if (mapping.pairs.empty() && !options.thesis_weights) require_bones(0);
     Rig rig;
     rig.width = labels.width();
     rig.height = labels.height();
@@ -126,7 +125,7 @@ Rig rig_with_mapping(const SkeletonGraph& graph, const LabelMap& labels, const R
     if (rig.mesh.faces.empty()) throw CharacterRejected("rig", "the silhouette is empty");
     const LabelMap filled = nearest_labels(labels);
     if (options.thesis_weights)
-        rig_as_in_thesis(rig, graph, labels, filled, reference, mirrored);
+        rig_as_in_thesis(rig, graph, labels, filled, reference, mirrored, options.weight_ends);
     else
         rig_smoothly(rig, graph, labels, filled, reference, mirrored, options);
     rig.texture = texture_coordinates(rig.mesh, rig.width, rig.height);

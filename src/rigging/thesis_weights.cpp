@@ -82,19 +82,26 @@ double bone_ratio(const SkeletonGraph& graph, int end, const ReferenceSkeleton& 
 
 std::vector<VertexWeights> thesis_weights(const Mesh& mesh, const LabelMap& labels,
                                           const SkeletonGraph& graph, const ReferenceSkeleton& reference,
-                                          const Mapping& mapping) {
-    std::vector<FloodInput> ends;
+                                          const Mapping& mapping, WeightEnds which) {
+    std::vector<FloodInput> ends; // those with a partner first
     for (const EndPair& pair : mapping.pairs) {
         const SkeletonVertex& v = graph.vertices[pair.end];
         ends.push_back({position_of(v), v.label});
     }
+    if (which == WeightEnds::all)
+        for (int i = 0; i < std::ssize(graph.vertices); ++i) {
+            const SkeletonVertex& v = graph.vertices[i];
+            const bool mapped = std::any_of(mapping.pairs.begin(), mapping.pairs.end(),
+                                            [&](const EndPair& pair) { return pair.end == i; });
+            if (v.end && !mapped) ends.push_back({position_of(v), v.label});
+        }
     const std::vector<FloodResult> floods = flood_weights(mesh, labels, ends);
     std::vector<VertexWeights> weights(mesh.vertices.size());
     for (VertexWeights& w : weights) w.weights[0] = 1; // the body
-    for (std::size_t e = 0; e < floods.size(); ++e) {
+    for (std::size_t e = 0; e < mapping.pairs.size(); ++e) {
         const EndPair& pair = mapping.pairs[e];
         const double sigma = bone_ratio(graph, pair.end, reference, pair.reference_end);
-        std::vector<double> per_bone(ends.size() + 1, 0.0);
+        std::vector<double> per_bone(mapping.pairs.size() + 1, 0.0);
         per_bone[0] = 1 - sigma;
         per_bone[e + 1] = sigma;
         for (int v : floods[e].reached) weights[v] = quantised(per_bone);

@@ -16,8 +16,8 @@ struct FloodResult {
     int seed = -1;            // the mesh vertex nearest to the end-effector
     std::vector<int> reached; // mesh vertices that get the weight, ascending, the seed included
 };
-// Algorithm 4.4 with ERRATA 20. labels: every pixel has one (nearest_labels). A vertex is compared with
-// end-effectors of the label at the seed.
+// Algorithm 4.4 with ERRATA 20, for the set EF of `ends`. labels: every pixel has one (nearest_labels). A
+// vertex is compared with end-effectors of the label at the seed.
 std::vector<FloodResult> flood_weights(const Mesh& mesh, const LabelMap& labels,
                                        const std::vector<FloodInput>& ends);
 
@@ -26,9 +26,10 @@ std::vector<FloodResult> flood_weights(const Mesh& mesh, const LabelMap& labels,
 // (reference_shape.hpp).
 double bone_ratio(const SkeletonGraph& graph, int end, const ReferenceSkeleton& reference, int reference_end);
 
-// bones as from make_thesis_bones: bone i + 1 belongs to mapping.pairs[i].
+// bones as from make_thesis_bones: bone i + 1 belongs to mapping.pairs[i]. What an end without a partner
+// keeps from the others (WeightEnds::all) belongs to the body.
 std::vector<VertexWeights> thesis_weights(const Mesh& mesh, const LabelMap& labels,
                                           const SkeletonGraph& graph, const ReferenceSkeleton& reference,
-                                          const Mapping& mapping);
+                                          const Mapping& mapping, WeightEnds which = WeightEnds::mapped);
 
 } // namespace pantin

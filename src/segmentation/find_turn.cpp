@@ -51,7 +51,8 @@ TurnProbabilities Segmenter::find_turn(const GreyImage& drawn, const Segmentatio
     if (drawn.empty()) throw Error(ErrorKind::internal, "segmentation: the crop is empty");
     const segmentation::SegmentationNetwork& net = *model_->network;
     const network::Runtime runtime(options.threads);
-    Tensor ink = segmentation::to_input(darkness_of(drawn), net.input, options.grey_erosion);
+    Tensor ink =
+        segmentation::to_input(darkness_of(drawn), net.input, options.grey_erosion == GreyErosion::always);
     Scores sum{};
     for (std::size_t shown = 0; shown < turns; ++shown) {
         const auto encoded = net.encode(ink, runtime);

@@ -50,7 +50,7 @@ Segmentation Segmenter::segment(const GreyImage& drawn, const Mask& mask, const 
     // 1. The network sees how dark the ink is, in its own square.
     const Grid<float> ink = darkness_of(drawn);
     const segmentation::NetworkResult seen = segmentation::segment_views(
-        net, segmentation::to_input(ink, net.input, options.grey_erosion),
+        net, segmentation::to_input(ink, net.input, options.grey_erosion == GreyErosion::always),
         {options.mirror, options.tilt, options.inverse_temperature, options.sufficient_confidence}, runtime);
 
     Segmentation result;
@@ -75,8 +75,9 @@ Segmentation Segmenter::segment(const GreyImage& drawn, const Mask& mask, const 
     for (float& p : foreground) p = 1 - p;
     const Grid<float> working_ink = resize(ink, mask.width(), mask.height());
     const Mask silhouette =
-        exact_mask ? mask
-                   : segmentation::decide_silhouette(mask, foreground, working_ink, options.silhouette);
+        exact_mask || !options.refine_silhouette
+            ? mask
+            : segmentation::decide_silhouette(mask, foreground, working_ink, options.silhouette);
     result.stroke_ratio = stroke_ratio(working_ink, silhouette);
     result.labels = segmentation::label_parts(silhouette, probabilities, options.silhouette);
     return result;

@@ -77,8 +77,8 @@ void find_graph(Skeletonization& s, const BorderSites& sites, const LabelMap& pa
     Mask ridges = ridges_of(s, sites, threshold, options.method);
     if (options.recover_parts_share > 0)
         ridges = anchor_missing_parts(ridges, s.mask, parts, options.recover_parts_share);
-    s.voronoi_raster = restore_topology(ridges, s.mask);
-    Thinning thinning = zhang_suen_steps(s.voronoi_raster);
+    s.voronoi_raster = restore_topology(ridges, s.mask, options.fill_pockets);
+    Thinning thinning = zhang_suen_steps(s.voronoi_raster, options.thinning_stop);
     s.thinned = std::move(thinning.thinned);
     s.thinned_in = std::move(thinning.removed_in);
     // It deletes a 2×2 square as a whole; the shape then keeps its deepest pixel.
@@ -113,7 +113,8 @@ Skeletonization skeletonize(const LabelMap& labels, const SkeletonizationOptions
     const bool lower = options.lower_threshold && takes_threshold(options.method);
     for (; lower && s.graph.edges.empty() && threshold / 2 > lowest_threshold * scale; threshold /= 2)
         find_graph(s, sites, parts, threshold / 2, options, scale);
-    if (s.graph.edges.empty()) throw CharacterRejected("skeletonize", "the skeleton is a single point");
+    if (s.graph.vertices.empty() || (options.reject_point && s.graph.edges.empty()))
+        throw CharacterRejected("skeletonize", "the skeleton is a single point");
     return s;
 }
 

@@ -32,7 +32,7 @@ std::array<bool, 256> deletable(bool second) {
 
 } // namespace
 
-Thinning zhang_suen_steps(const Mask& mask) {
+Thinning zhang_suen_steps(const Mask& mask, ThinningStop stop) {
     static const std::array<std::array<bool, 256>, 2> tables = {deletable(false), deletable(true)};
     Thinning result{mask, Grid<std::uint16_t>(mask.width(), mask.height())};
     Mask& image = result.thinned;
@@ -55,13 +55,14 @@ Thinning zhang_suen_steps(const Mask& mask) {
                 image(p.x, p.y) = 0;
                 result.removed_in(p.x, p.y) = step;
             }
+            if (stop == ThinningStop::either && marked.empty()) return result; // lines 11 and 21
             changed |= !marked.empty();
         }
     }
     return result;
 }
 
-Mask zhang_suen(const Mask& mask) { return zhang_suen_steps(mask).thinned; }
+Mask zhang_suen(const Mask& mask, ThinningStop stop) { return zhang_suen_steps(mask, stop).thinned; }
 
 Mask remove_redundant_pixels(const Mask& skeleton) {
     Mask image = skeleton;

@@ -81,13 +81,20 @@ Mask fill_spurious_cycles(const Mask& raster, const Mask& mask) {
     return filled;
 }
 
-Mask restore_topology(const Mask& raster, const Mask& mask) {
+Mask restore_topology(const Mask& raster, const Mask& mask, bool fill_pockets) {
     Mask filled = fill_spurious_cycles(raster, mask);
+    Mask pockets = filled, whole = filled;
+    for (std::size_t i = 0; i < pockets.size(); ++i) pockets.data()[i] -= raster.data()[i];
     // Every hole that is left holds a hole of the mask, so that equal numbers are enough.
-    if (topology_of(filled) == topology_of(mask)) return filled;
-    const Grid<int> squared_depth = squared_distance_transform(mask);
-    if (std::find(filled.begin(), filled.end(), 1) == filled.end()) add_deepest_pixel(filled, squared_depth);
-    return peel(mask, filled, squared_depth);
+    if (topology_of(filled) != topology_of(mask)) {
+        const Grid<int> squared_depth = squared_distance_transform(mask);
+        if (std::find(filled.begin(), filled.end(), 1) == filled.end())
+            add_deepest_pixel(filled, squared_depth);
+        whole = peel(mask, filled, squared_depth);
+    }
+    if (fill_pockets) return whole;
+    for (std::size_t i = 0; i < whole.size(); ++i) whole.data()[i] -= pockets.data()[i];
+    return whole;
 }
 
 } // namespace pantin

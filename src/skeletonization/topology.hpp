@@ -19,8 +19,8 @@ Topology topology_of(const Mask& mask);
 Mask fill_spurious_cycles(const Mask& raster, const Mask& mask);
 
 // The raster, led on along the middle of the (connected) mask where parts of it are not joined or a hole is
-// not surrounded, and with its spurious cycles filled (ERRATA 3). An empty raster gets the deepest pixel of
-// the mask.
-Mask restore_topology(const Mask& raster, const Mask& mask);
+// not surrounded, and with its spurious cycles filled or, without `fill_pockets`, as they are (ERRATA 3). An
+// empty raster gets the deepest pixel of the mask.
+Mask restore_topology(const Mask& raster, const Mask& mask, bool fill_pockets = true);
 
 } // namespace pantin

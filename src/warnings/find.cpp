@@ -91,6 +91,24 @@ void judge_type(Findings& findings, const ResultToCheck& r) {
 
 } // namespace
 
+double unproven_distance(const Identification& identification) {
+    const std::vector<Candidate>& all = identification.candidates;
+    if (all.empty() || !all.front().evidence.empty()) return 0;
+    return static_cast<double>(
+               std::count_if(all.begin(), all.end(), [](const Candidate& c) { return !c.optimal; })) /
+           static_cast<double>(all.size());
+}
+
+std::string unproven_line(const Identification& identification) {
+    if (unproven_distance(identification) == 0) return "";
+    std::string names;
+    for (const Candidate& c : identification.candidates)
+        if (!c.optimal) names += (names.empty() ? "" : ", ") + c.reference;
+    return "the graph distance to " + names +
+           " is the best that was found, and not proven to be the smallest: identification.ilp_iterations "
+           "or identification.max_nodes was too small";
+}
+
 std::string second_type(const Identification& identification,
                         const std::vector<ReferenceSkeleton>& references) {
     const std::vector<Candidate>& candidates = identification.candidates; // from best to worst
@@ -112,6 +130,8 @@ std::vector<Warning> find_warnings(const ResultToCheck& result) {
     judge_silhouette(findings, result, ink);
     judge_motion(findings, result, ink);
     judge_type(findings, result);
+    findings.judge(WarningKind::unproven_distance, unproven_distance(result.identification),
+                   unproven_line(result.identification));
     return findings.sorted();
 }
 

@@ -340,6 +340,21 @@ TEST_CASE("Several pages go to a folder each, and a bad one does not stop the ot
     CHECK((read_all(out / "humanoid") == read_all(out / "humanoid-2")));
 }
 
+TEST_CASE("The thesis rejects nothing: a head, a scribble and a blob are animated, or rest",
+          "[cli][end-to-end]") {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_pantin(
+        std::vector<std::string>{"animate", "testdata/rejects.png", "-o", (folder / "out").string(),
+                                 "--preset", "thesis", "--format", "png", "--size", "32", "--fps", "2"});
+    CHECK(outcome.code == 0);
+    const auto page = nlohmann::ordered_json::parse(read(folder / "out/page.json"));
+    REQUIRE(page["characters"].size() >= 2);
+    for (const auto& character : page["characters"]) {
+        CHECK(character["status"] == "ok");
+        CHECK(fs::exists(folder / "out" / character["folder"].get<std::string>() / "character.glb"));
+    }
+}
+
 TEST_CASE("--trace adds the intermediate products and changes nothing else", "[cli][end-to-end]") {
     const TemporaryFolder folder;
     const auto files_of = [&](const std::string& name, const std::vector<std::string>& more) {
@@ -350,8 +365,9 @@ TEST_CASE("--trace adds the intermediate products and changes nothing else", "[c
         return read_all(out);
     };
     auto traced = files_of("traced", {"--trace"});
-    for (const std::string file : {"silhouette.png", "voronoi.json", "voronoi.png", "thinned.png",
-                                   "skeleton-raw.json", "skeleton-h1.json", "probability-head.png"})
+    for (const std::string file :
+         {"silhouette.png", "voronoi.json", "voronoi.png", "thinned.png", "skeleton-raw.json",
+          "skeleton-h1.json", "probability-head.png", "mask-ink.png", "mask-network.png"})
         CHECK(traced.count("character-1/trace/" + file) == 1);
     CHECK(traced.count("trace/ink.png") == 1);
     std::erase_if(traced, [](const auto& file) { return file.first.find("trace/") != std::string::npos; });

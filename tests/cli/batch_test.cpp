@@ -127,7 +127,7 @@ TEST_CASE("Work ends when nobody reads the results, and exceptions come through"
 TEST_CASE("A batch gives the bytes of animate, with the options of each line", "[batch][end-to-end]") {
     const TemporaryFolder folder;
     const fs::path ours = folder / "ours", wanted = folder / "wanted";
-    write(folder / "config.json", R"({"rigging": {"limb_segments": 1}})");
+    write(folder / "config.json", R"({"rigging": {"limb_segments": 1}, "animation.clips": "default"})");
     const RgbImage page = load_image(small_page);
     save_png(folder / "mask.png", GreyImage(page.width(), page.height(), 255));
     const Json turned = {{"image", "testdata/flying.png"},
@@ -142,7 +142,7 @@ TEST_CASE("A batch gives the bytes of animate, with the options of each line", "
                         {"fps", 4},
                         {"formats", {"apng", "png"}}};
     const Json config = {{"image", "testdata/quadruped.png"},
-                         {"config", {{"rigging.limb_segments", 1}}},
+                         {"config", {{"rigging.limb_segments", 1}, {"animation.clips", "default"}}},
                          {"preset", "thesis"},
                          {"background", "#ff8800"},
                          {"perspective", true},

@@ -9,14 +9,15 @@
 namespace pantin {
 namespace {
 
-// Filled boxes as groups 1, 2, …; scores .1, .2, …
+// Filled boxes as groups 1, 2, …; scores .1, .2, …, of the detections 0, 1, …
 Grouping boxes_on(int width, int height, const std::vector<Box>& boxes) {
-    Grouping grouping{Grid<int>(width, height, 0), boxes, {}};
+    Grouping grouping{Grid<int>(width, height, 0), boxes, {}, {}};
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         const Box& box = boxes[i];
         for (int y = box.y; y < box.y + box.height; ++y)
             for (int x = box.x; x < box.x + box.width; ++x) grouping.groups(x, y) = static_cast<int>(i) + 1;
         grouping.scores.push_back(0.1 * static_cast<double>(i + 1));
+        grouping.detections.push_back(static_cast<int>(i));
     }
     return grouping;
 }
@@ -38,6 +39,7 @@ TEST_CASE("What touches a larger group within its reach and has a low score join
     CHECK(same_box(joined.boxes[0], {4, 6, 14, 18}));
     CHECK(same_box(joined.boxes[1], {19, 20, 3, 3}));
     CHECK((joined.scores == std::vector<double>{0.6, 0.5}));
+    CHECK((joined.detections == std::vector<int>{1, 2}));
     CHECK(joined.groups(4, 10) == 1);
     CHECK(joined.groups(10, 15) == 1);
     CHECK(joined.groups(20, 21) == 2);

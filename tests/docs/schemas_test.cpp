@@ -272,6 +272,14 @@ TEST_CASE("The schema of the configuration has every option, nested and dotted, 
         CHECK(schema_violation("configuration", {{std::string(former), all[std::string(name)]}}) == "");
         CHECK(schema_violation("configuration", {{std::string(former), "another type"}}) != "");
     }
+    for (const FormerSwitch& option : former_switches()) {
+        CAPTURE(option.former);
+        options.insert(std::string(option.former));
+        for (const bool value : {true, false})
+            CHECK(schema_violation("configuration", {{std::string(option.former), value}}) == "");
+        for (const std::string_view value : {option.if_true, option.if_false})
+            CHECK(schema_violation("configuration", {{std::string(option.name), std::string(value)}}) == "");
+    }
     CHECK(dotted == options);
     CHECK(schema_violation("configuration", all) == "");
     CHECK(schema_violation("configuration", {{"identification", {{"label_values", {{"wing", 9}}}}}}) == "");

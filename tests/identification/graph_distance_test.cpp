@@ -173,6 +173,47 @@ TEST_CASE("the literal program, the tightened program and branch and bound agree
         }
 }
 
+TEST_CASE("GLPK stops within the gap, or after so many subproblems with what it has", "[needs-glpk]") {
+    Numbers numbers{21};
+    int stopped = 0, improved = 0;
+    for (int round = 0; round < 12; ++round) {
+        const auto a = random_graph(numbers, 8, 0.3), b = random_graph(numbers, 6, 0.4);
+        GgdOptions options;
+        options.k_l = 0.05; // so that the relaxation is far from an integer solution
+        const double best = geometric_graph_distance(a, b, options).distance;
+        for (const IlpFormulation formulation : {IlpFormulation::literal, IlpFormulation::tightened}) {
+            const GgdResult near = geometric_graph_distance_ilp(a, b, options, formulation, {0.05, 0});
+            REQUIRE(near.optimal);
+            REQUIRE(near.distance >= best - 1e-9);
+            // The gap is relative to what the program minimises: the distance without the constant edges.
+            REQUIRE(near.distance - best <= 0.05 * (near.base - near.distance) + 1e-9);
+        }
+        const GgdResult cut = geometric_graph_distance_ilp(a, b, options, IlpFormulation::literal, {0, 1});
+        REQUIRE(cut.distance == Approx(matching_cost(a, b, cut.pairs, options)));
+        REQUIRE(cut.distance >= best - 1e-9);
+        stopped += !cut.optimal;
+        const GgdResult later = geometric_graph_distance_ilp(a, b, options, IlpFormulation::literal, {0, 0});
+        REQUIRE(later.optimal);
+        REQUIRE(later.distance == Approx(best).margin(1e-9));
+        improved += later.distance < cut.distance - 1e-9;
+    }
+    CHECK(stopped >= 10);
+    CHECK(improved >= 1);
+}
+
+TEST_CASE("GLPK proves the optimum of graphs with more than 40 vertices", "[needs-glpk]") {
+    Numbers numbers{5};
+    const LabelledGraph large = random_graph(numbers, 45, 0.03),
+                        model = to_labelled_graph(load_references()[0]);
+    const GgdResult search = geometric_graph_distance(large, model);
+    CHECK_FALSE(search.optimal);
+    for (const IlpFormulation formulation : {IlpFormulation::literal, IlpFormulation::tightened}) {
+        const GgdResult found = geometric_graph_distance_ilp(large, model, {}, formulation);
+        CHECK(found.optimal);
+        CHECK(found.distance <= search.distance + 1e-9);
+    }
+}
+
 TEST_CASE("the distance is symmetric, zero on itself, and blind to the order of vertices") {
     Numbers numbers{3};
     for (int round = 0; round < 40; ++round) {

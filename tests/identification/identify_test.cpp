@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <set>
+#include <tuple>
 
 #include "core/random.hpp"
 #include "figures.hpp"
@@ -128,6 +130,9 @@ TEST_CASE("what cannot move is rejected with a reason") {
                                        {Label::head, {130, 110}, {130, 112}, 11}};
     CHECK(rejection(paint(260, 260, cross)) ==
           "identify: no limb, wing or tail, and no head on a body: nothing can move");
+    IdentificationOptions all;
+    all.reject_unmovable = false; // then it is like one of the references, as anything with an edge
+    CHECK(identify_map(paint(260, 260, cross), all).candidates.size() >= 3);
     std::vector<Stroke> star = {{Label::body, {200, 200}, {200, 200}, 30}};
     for (int k = 0; k < 32; ++k) {
         const double angle = 2 * 3.14159265 * k / 32;
@@ -135,6 +140,8 @@ TEST_CASE("what cannot move is rejected with a reason") {
             {Label::limb, {200, 200}, {200 + 190 * std::cos(angle), 200 + 190 * std::sin(angle)}, 4});
     }
     CHECK(rejection(paint(400, 400, star)).find("scribble") != std::string::npos);
+    all.ggd.max_nodes = 1000; // 32 legs are many for the search
+    CHECK(identify_map(paint(400, 400, star), all).candidates.size() >= 3);
 }
 
 TEST_CASE("a graph without edges is a blob") {
@@ -145,6 +152,13 @@ TEST_CASE("a graph without edges is a blob") {
     graph.vertices = {{2, 5, Label::head, true}, {8, 5, Label::head, true}};
     graph.edges = {{0, 1, 6, {}}};
     CHECK_THROWS_WITH(identify(graph, LabelMap(10, 10, 1), load_references()), "one part only: head");
+    IdentificationOptions all;
+    all.reject_unmovable = false;
+    CHECK(identify(graph, LabelMap(10, 10, 1), load_references(), all).candidates.size() >= 3);
+    graph.edges.clear();
+    // Without an edge nothing is matched: the reference with the shortest edges is nearest.
+    const Identification found = identify(graph, LabelMap(10, 10, 1), load_references(), all);
+    CHECK(found.candidates.size() >= 3);
     CHECK_THROWS_AS(identify(graph, LabelMap(10, 10, 2), {}), Error);
 }
 
@@ -180,7 +194,8 @@ TEST_CASE("more wing speaks for flying, a lower head against a human, two raised
 TEST_CASE("the thesis scores with the distance alone, K_v = 0.38 for the quadruped, and never mirrors") {
     IdentificationOptions thesis;
     thesis.thesis_score = true;
-    thesis.use_ilp = true;
+    thesis.k_n_replaces = KnReading::k_v;
+    thesis.mirrored = Mirroring::none;
     const LabelMap labels = figures::mirrored(paint(250, 200, figures::quadruped()));
     const SkeletonGraph graph = skeletonize(labels).graph;
     const Identification found = identify(graph, labels, load_references(), thesis);
@@ -197,6 +212,81 @@ TEST_CASE("the thesis scores with the distance alone, K_v = 0.38 for the quadrup
         CHECK_FALSE(c.mirrored);
         CHECK(c.evidence.empty());
     }
+}
+
+TEST_CASE("K_n takes the place of the constants that its reading names, for quadrupeds alone") {
+    const LabelMap labels = paint(250, 200, figures::quadruped());
+    const SkeletonGraph graph = skeletonize(labels).graph;
+    const LabelledGraph drawn = normalised(to_labelled_graph(graph));
+    std::vector<ReferenceSkeleton> references = load_references();
+    references.push_back(references[1]); // one of one's own, which is nearest to the quadruped
+    references.back().name = "fox";
+    IdentificationOptions options;
+    options.thesis_score = true;
+    options.mirrored = Mirroring::none;
+    options.k_n = 0.2;
+    std::set<double> distances;
+    for (const auto& [reading, k_v, k_e, k_l] :
+         std::vector<std::tuple<KnReading, double, double, double>>{{KnReading::none, 1, 1, 5},
+                                                                    {KnReading::k_v, 0.2, 1, 5},
+                                                                    {KnReading::k_e, 1, 0.2, 5},
+                                                                    {KnReading::k_l, 1, 1, 0.2},
+                                                                    {KnReading::all, 0.2, 0.2, 0.2}}) {
+        options.k_n_replaces = reading;
+        const Identification found = identify(graph, labels, references, options);
+        for (const ReferenceSkeleton& reference : references) {
+            if (!reference.like.empty()) continue;
+            GgdOptions ggd;
+            if (reference.name == "quadruped" || reference.name == "fox")
+                ggd.k_v = k_v, ggd.k_e = k_e, ggd.k_l = k_l;
+            const double expected =
+                geometric_graph_distance(drawn, normalised(to_labelled_graph(reference)), ggd).distance;
+            CHECK(candidate(found, reference.name).distance == expected);
+        }
+        distances.insert(candidate(found, "quadruped").distance);
+    }
+    CHECK(distances.size() >= 4); // K_l may change nothing (ERRATA 10)
+}
+
+TEST_CASE("a reference is tried left for right never, where its distance is smaller, or with the head") {
+    const LabelMap labels = figures::mirrored(paint(250, 200, figures::quadruped()));
+    const SkeletonGraph graph = skeletonize(labels).graph;
+    const LabelledGraph drawn = normalised(to_labelled_graph(graph));
+    const LabelledGraph model = normalised(to_labelled_graph(load_references()[1]));
+    const double as_drawn = geometric_graph_distance(drawn, model).distance,
+                 turned = geometric_graph_distance(drawn, mirrored(model)).distance;
+    REQUIRE(turned < as_drawn);
+    IdentificationOptions options;
+    options.thesis_score = true;
+    for (const Mirroring mirroring : {Mirroring::none, Mirroring::distance, Mirroring::head}) {
+        options.mirrored = mirroring;
+        const Identification found = identify(graph, labels, load_references(), options);
+        const Candidate& c = candidate(found, "quadruped");
+        CHECK(c.mirrored == (mirroring != Mirroring::none));
+        CHECK(c.distance == (mirroring == Mirroring::none ? as_drawn : turned));
+    }
+}
+
+TEST_CASE("all solvers find the same distances, and what is cut off says so", "[needs-glpk]") {
+    const LabelMap labels = paint(250, 200, figures::quadruped());
+    const SkeletonGraph graph = skeletonize(labels).graph;
+    IdentificationOptions options;
+    options.thesis_score = true;
+    const Identification expected = identify(graph, labels, load_references(), options);
+    for (const GgdSolver solver : {GgdSolver::literal, GgdSolver::tightened}) {
+        options.solver = solver;
+        const Identification found = identify(graph, labels, load_references(), options);
+        for (const Candidate& c : found.candidates) {
+            CHECK(c.optimal);
+            CHECK(c.distance == Approx(candidate(expected, c.reference).distance).epsilon(1e-3));
+        }
+        CHECK(found.reference == expected.reference);
+    }
+    options.solver = GgdSolver::literal;
+    options.ilp.iterations = 1;
+    const Identification cut = identify(graph, labels, load_references(), options);
+    CHECK(std::any_of(cut.candidates.begin(), cut.candidates.end(),
+                      [](const Candidate& c) { return !c.optimal; }));
 }
 
 TEST_CASE("without evidence the score is the distance divided by the cost of the reference's edges") {

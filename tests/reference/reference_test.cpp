@@ -45,6 +45,15 @@ std::string replaced(const std::string& from, const std::string& to) {
     return text.replace(at, from.size(), to);
 }
 
+// Kinds of the tracks of a joint in the clip.
+std::set<TrackKind> kinds_of(const ReferenceClip& clip, const ReferenceSkeleton& reference,
+                             const std::string& joint) {
+    std::set<TrackKind> kinds;
+    for (const ReferenceTrack& track : clip.tracks)
+        if (reference.joints[static_cast<std::size_t>(track.joint)].name == joint) kinds.insert(track.kind);
+    return kinds;
+}
+
 struct Folder {
     fs::path path = fs::temp_directory_path() / "pantin-test-references";
     Folder() {
@@ -178,4 +187,41 @@ TEST_CASE("a directory that is missing, empty or ambiguous is an error that name
     folder.write("a.json", fox);
     folder.write("b.json", fox);
     CHECK_THROWS_WITH(load_references(folder.path), Contains("b.json: a second reference named 'fox'"));
+}
+
+TEST_CASE("the clips of thesis 6.1 move what it says in the direction that it says") {
+    const std::vector<ReferenceSkeleton> references = load_references();
+    const ReferenceSkeleton &human = find_reference(references, "humanoid"),
+                            &animal = find_reference(references, "quadruped");
+    using Kinds = std::set<TrackKind>;
+    REQUIRE(thesis_clips(human).size() == 1);
+    const ReferenceClip walk = thesis_clips(human)[0];
+    CHECK(walk.name == "walk");
+    for (const char* limb : {"arm_left", "arm_right", "leg_left", "leg_right"})
+        CHECK(kinds_of(walk, human, limb) == Kinds{TrackKind::flap}); // forward and backward
+    CHECK(kinds_of(walk, human, "head") == Kinds{TrackKind::z});      // left and right
+    CHECK(kinds_of(walk, human, "hips").empty());
+    const auto phase = [](const ReferenceClip& clip, const ReferenceSkeleton& reference, const char* joint) {
+        for (const ReferenceTrack& track : clip.tracks)
+            if (reference.joints[static_cast<std::size_t>(track.joint)].name == joint) return track.phase;
+        return -1.0;
+    };
+    CHECK(phase(walk, human, "arm_left") == phase(walk, human, "leg_right"));
+    CHECK(phase(walk, human, "arm_left") != phase(walk, human, "leg_left"));
+
+    const ReferenceClip trot = thesis_clips(animal)[0];
+    for (const char* leg : {"leg_front_left", "leg_front_right", "leg_hind_left", "leg_hind_right"})
+        CHECK(kinds_of(trot, animal, leg) == Kinds{TrackKind::z});   // left and right
+    CHECK(kinds_of(trot, animal, "tail") == Kinds{TrackKind::flap}); // the third dimension
+    CHECK(kinds_of(trot, animal, "head") == Kinds{TrackKind::lift}); // upwards and downwards
+    CHECK(phase(trot, animal, "leg_front_left") == phase(trot, animal, "leg_hind_right"));
+    CHECK(phase(trot, animal, "leg_front_left") != phase(trot, animal, "leg_front_right"));
+
+    // Of a flyer the thesis describes none.
+    for (const char* name : {"flying", "fish"}) {
+        const ReferenceSkeleton& other = find_reference(references, name);
+        REQUIRE(thesis_clips(other).size() == other.clips.size());
+        for (std::size_t i = 0; i < other.clips.size(); ++i)
+            CHECK(thesis_clips(other)[i].name == other.clips[i].name);
+    }
 }

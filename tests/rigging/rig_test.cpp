@@ -153,6 +153,48 @@ TEST_CASE("Algorithm 4.4 floods the label of each end-effector and leaves the re
     }
 }
 
+TEST_CASE("an end without a partner keeps its vertices for the body when EF is the set of all ends") {
+    Character c = table();
+    fill(c.labels, 32, 50, 44, 90, Label::limb); // the front legs become one block
+    const Point2d unmapped = position_of(c.graph.vertices[c.mapping.pairs[3].end]);
+    c.mapping.pairs.erase(c.mapping.pairs.begin() + 3); // leg_front_right has no partner
+    RigOptions options;
+    options.thesis_weights = true;
+    options.mesh.cell = 4;
+    options.mesh.margin = 0;
+    const Rig mapped = rig_of(c, options);
+    options.weight_ends = WeightEnds::all;
+    const Rig all = rig_of(c, options);
+    REQUIRE(all.bones.size() == mapped.bones.size());
+    const Point2d own = position_of(c.graph.vertices[c.mapping.pairs[2].end]);
+    const int foot = bone_named(mapped, "leg_front_left");
+    int taken = 0, kept = 0;
+    for (std::size_t v = 0; v < all.mesh.vertices.size(); ++v) {
+        const Point2d p = all.mesh.vertices[v];
+        const bool nearer = distance(p, unmapped) < distance(p, own);
+        if (weight_of(mapped.weights[v], foot) > 0 && nearer) {
+            CHECK(weight_of(all.weights[v], 0) == 1);
+            ++taken;
+        } else {
+            CHECK(weight_of(all.weights[v], foot) == weight_of(mapped.weights[v], foot));
+            kept += weight_of(all.weights[v], foot) > 0;
+        }
+    }
+    CHECK(taken > 10);
+    CHECK(kept > 10);
+}
+
+TEST_CASE("without a mapped end the body is the only bone of Algorithm 4.4, and the default has no rig") {
+    Character c = table();
+    c.mapping.pairs.clear();
+    RigOptions options;
+    CHECK_THROWS_AS(rig_of(c, options), CharacterRejected);
+    options.thesis_weights = true;
+    const Rig rig = rig_of(c, options);
+    REQUIRE(rig.bones.size() == 1);
+    for (const VertexWeights& w : rig.weights) CHECK(weight_of(w, 0) == 1);
+}
+
 TEST_CASE("floods stop halfway between two end-effectors of one label") {
     LabelMap labels(60, 20);
     fill(labels, 4, 4, 56, 16, Label::limb);

@@ -69,6 +69,22 @@ TEST_CASE("An exact mask is the silhouette to the pixel") {
     CHECK(foreground(result.labels) == mask);
 }
 
+TEST_CASE("Without refinement the detector's mask is the silhouette to the pixel, as an exact one is") {
+    Random random(7);
+    const RgbImage drawing = random_drawing(random, 90, 60);
+    Mask mask(90, 60);
+    for (int y = 3; y < 57; ++y)
+        for (int x = 5; x < 85; ++x)
+            mask(x, y) = (x - 45) * (x - 45) + (y - 30) * (y - 30) > 60; // with a hole
+    const GreyImage ink = ink_of_crop(ink_darkness(drawing));
+    CHECK_FALSE(foreground(tiny().segment(ink, mask).labels) == mask);
+    SegmentationOptions options;
+    options.refine_silhouette = false;
+    const Segmentation result = tiny().segment(ink, mask, options);
+    CHECK(foreground(result.labels) == mask);
+    CHECK(result.labels == tiny().segment(ink, mask, {}, true).labels);
+}
+
 TEST_CASE("Segmentation is the same for any number of threads") {
     Random random(2);
     for (int round = 0; round < 5; ++round) {

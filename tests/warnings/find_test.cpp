@@ -96,6 +96,24 @@ TEST_CASE("An unsure type names the next one that stands on its own", "[warnings
     CHECK(second_type(table.identification, table.references).empty());
 }
 
+TEST_CASE("A distance that is not proven smallest is marked where it decides", "[warnings]") {
+    Table table;
+    for (Candidate& c : table.identification.candidates) c.evidence.clear();
+    CHECK(table.found().empty());
+    table.identification.candidates[1].optimal = table.identification.candidates[3].optimal = false;
+    CHECK(unproven_distance(table.identification) == 0.5);
+    const std::vector<Warning> found = table.found();
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].kind == WarningKind::unproven_distance);
+    CHECK(found[0].value == 0.5);
+    CHECK(found[0].text.find("the graph distance to bird, humanoid is") == 0);
+    CHECK(found[0].text == unproven_line(table.identification));
+    table.identification.candidates[0].evidence = {{"graph", 1}}; // one part of several
+    CHECK(table.found().empty());
+    CHECK(unproven_line(table.identification).empty());
+    CHECK(unproven_distance({}) == 0);
+}
+
 TEST_CASE("A bird's next type is none that it is like, and a fish's type is not a matter of confidence",
           "[warnings]") {
     const std::vector<ReferenceSkeleton> references = load_references();

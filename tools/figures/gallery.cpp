@@ -47,7 +47,7 @@ const Run& Gallery::run(const std::string& file, std::size_t index, const std::s
     Run& run = it->second;
     if (is_new) {
         Options options = make_preset(preset);
-        options.identification.use_ilp = false; // builds without GLPK draw the same figures
+        options.identification.solver = GgdSolver::branch_and_bound; // builds without GLPK draw the same
         run = segmented(file, index);
         run.skeleton = skeletonize(run.labels(), options.skeletonization);
         run.identification = identify(run.skeleton.graph, run.labels(), references_, options.identification);

@@ -86,6 +86,8 @@ void evaluate(const LabelMap& labels, const std::vector<ReferenceSkeleton>& refe
     arc.cut_cycles = false;
     IdentificationOptions literal, plain;
     literal.thesis_score = true;
+    literal.k_n_replaces = KnReading::k_v;
+    literal.mirrored = Mirroring::none;
     plain.use_evidence = false;
     const Skeletonization skeleton = skeletonize(labels);
     const Identification found = identify(skeleton.graph, labels, references);

@@ -8,7 +8,7 @@ namespace pantin {
 bool ilp_available() { return false; }
 
 GgdResult geometric_graph_distance_ilp(const LabelledGraph&, const LabelledGraph&, const GgdOptions&,
-                                       IlpFormulation) {
+                                       IlpFormulation, const IlpLimits&) {
     throw Error(ErrorKind::usage,
                 "this program was built without GLPK: the integer linear program cannot be solved");
 }

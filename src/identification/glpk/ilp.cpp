@@ -10,6 +10,7 @@
 #include <glpk.h>
 
 #include <memory>
+#include <tuple>
 
 #include "identification/labelled_graph.hpp"
 #include "pantin/error.hpp"
@@ -23,6 +24,16 @@ struct Environment {
     ~Environment() { glp_free_env(); }
     Environment(const Environment&) = delete;
     Environment& operator=(const Environment&) = delete;
+};
+
+// Ends the search after a number of subproblems.
+struct Countdown {
+    long left = 0;
+
+    static void tick(glp_tree* tree, void* info) {
+        if (glp_ios_reason(tree) == GLP_IPREPRO && static_cast<Countdown*>(info)->left-- <= 0)
+            glp_ios_terminate(tree);
+    }
 };
 
 class Program {
@@ -43,20 +54,30 @@ public:
             add_tightened_edge_rows();
     }
 
-    std::vector<std::pair<int, int>> solve() {
+    // The matching, and whether it is known to be the best to within the gap.
+    std::pair<std::vector<std::pair<int, int>>, bool> solve(const IlpLimits& limits) {
         glp_iocp parameters;
         glp_init_iocp(&parameters);
         parameters.msg_lev = GLP_MSG_OFF;
         parameters.presolve = GLP_ON;
-        parameters.mip_gap = 0;
+        parameters.mip_gap = limits.gap;
         parameters.tol_obj = 1e-11; // the default, 1e-7, may stop that far from the optimum
-        if (glp_intopt(problem_.get(), &parameters) != 0 || glp_mip_status(problem_.get()) != GLP_OPT)
+        Countdown countdown{limits.iterations};
+        if (limits.iterations > 0) {
+            parameters.cb_func = Countdown::tick;
+            parameters.cb_info = &countdown;
+        }
+        const int outcome = glp_intopt(problem_.get(), &parameters);
+        const int status = glp_mip_status(problem_.get());
+        const bool proven = outcome == 0 ? status == GLP_OPT : outcome == GLP_EMIPGAP;
+        if (!proven && outcome != GLP_ESTOP)
             throw Error(ErrorKind::internal, "GLPK found no optimum of the graph distance");
         std::vector<std::pair<int, int>> pairs;
-        for (int u = 0; u < vertices(a_); ++u)
-            for (int v = 0; v < vertices(b_); ++v)
-                if (glp_mip_col_val(problem_.get(), vertex_column(u, v)) > 0.5) pairs.emplace_back(u, v);
-        return pairs;
+        if (proven || status == GLP_FEAS)
+            for (int u = 0; u < vertices(a_); ++u)
+                for (int v = 0; v < vertices(b_); ++v)
+                    if (glp_mip_col_val(problem_.get(), vertex_column(u, v)) > 0.5) pairs.emplace_back(u, v);
+        return {std::move(pairs), proven};
     }
 
 private:
@@ -140,12 +161,13 @@ private:
 bool ilp_available() { return true; }
 
 GgdResult geometric_graph_distance_ilp(const LabelledGraph& a, const LabelledGraph& b,
-                                       const GgdOptions& options, IlpFormulation formulation) {
+                                       const GgdOptions& options, IlpFormulation formulation,
+                                       const IlpLimits& limits) {
     GgdResult result;
     result.base = empty_matching_cost(a, b, options);
     if (!a.positions.empty() && !b.positions.empty()) {
         const Environment environment;
-        result.pairs = Program(a, b, options, formulation).solve();
+        std::tie(result.pairs, result.optimal) = Program(a, b, options, formulation).solve(limits);
     }
     result.distance = matching_cost(a, b, result.pairs, options);
     return result;
