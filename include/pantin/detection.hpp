@@ -32,7 +32,7 @@ struct DetectionOptions {
 
     // A page that lies on its side or upside down is turned by itself when a quarter turn has this
     // probability (own, src/pipeline/upright.hpp). `thesis`: never (2).
-    double turn_probability = 0.9;
+    double turn_probability = 0.98;
 
     // Ink. Shares of the darkness of the darkest strokes (ink_darkness).
     double ink_contrast = 0.15;    // a stroke is darker than the local mean by this

@@ -10,7 +10,7 @@ namespace pantin {
 namespace {
 
 constexpr std::size_t asked = 8; // characters of a page, the largest ones
-constexpr double floor = 0.01;   // no character says more against a turn
+constexpr double floor = 0.001;  // no character says more against a turn
 
 std::vector<const DetectedCharacter*> largest_of(const std::vector<DetectedCharacter>& characters) {
     std::vector<const DetectedCharacter*> result;

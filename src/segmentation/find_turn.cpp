@@ -23,7 +23,7 @@ constexpr std::size_t turns = 4;
 using Scores = std::array<double, turns>;
 
 // Fitted by logistic regression on the drawings of fold 0, five folds (weights/README.md).
-constexpr double head_weight = 1.2, confidence_weight = 19;
+constexpr double head_weight = 1.1, confidence_weight = 15;
 constexpr double surely_upright = 0.9; // by the head alone
 
 // Probabilities of scores, exp of each over the sum of all.
