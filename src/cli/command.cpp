@@ -76,7 +76,7 @@ void check_formats(const std::vector<std::string>& formats) {
 void add_common_options(Command command, CommonOptions& options) {
     command
         .option("--preset", options.preset,
-                "default (best results) or thesis (with its errata; differs in 18 places)")
+                "default (best results) or thesis (with its errata; differs in 15 places)")
         .show_default();
     command.option("--config", options.config, "JSON file that sets any option by its name");
     command

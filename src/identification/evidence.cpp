@@ -35,7 +35,7 @@ constexpr std::array<Row, 3> table = {{
 // Where the network's type head has seen the picture, its probability p adds −seen_weight · ln(p +
 // seen_floor): however sure it is, it can be overruled. It knows much of what the rest of the evidence says,
 // which then counts rest_weight times (tools/identification/fit_seen.py).
-constexpr double seen_weight = 1.38, seen_floor = 0.02, rest_weight = 0.44;
+constexpr double seen_weight = 1.92, seen_floor = 0.02, rest_weight = 0.16;
 
 const Row* find_row(const std::string& type) {
     const auto row =

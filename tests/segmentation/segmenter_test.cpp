@@ -132,13 +132,13 @@ TEST_CASE("A drawing that is turned by a quarter gets the answer of the upright 
     double sum = 0;
     for (const double p : *upright) sum += p;
     CHECK(sum == Approx(1));
-    CHECK((*upright)[0] < 0.9);                                        // else one look is enough
-    CHECK(*std::max_element(upright->begin(), upright->end()) > 0.26); // it is not indifferent
+    CHECK((*upright)[0] < 0.9);                                           // else one look is enough
+    CHECK(*std::max_element(upright->begin(), upright->end()) > 0.25005); // it is not indifferent
     for (int k = 1; k < 4; ++k) {
         const TurnProbabilities found = tiny().find_turn(turned(ink, 90 * k));
         for (std::size_t more = 0; more < 4; ++more)
             CHECK((*found)[more] ==
-                  Approx((*upright)[(more + static_cast<std::size_t>(k)) % 4]).margin(1e-6));
+                  Approx((*upright)[(more + static_cast<std::size_t>(k)) % 4]).margin(1e-7));
     }
 }
 
