@@ -45,6 +45,10 @@ mkdir -p "$out/vectors/humanoid" "$out/vectors/quadruped" "$out/vectors/flyer"
 draw vectors/humanoid/page.png image 21 17 --types humanoid $tiny
 draw vectors/quadruped/page.png image 22 55 --types quadruped $tiny
 draw vectors/flyer/page.png image 23 52 --types flying $tiny
+# and those of the preset `thesis`: the network leaves a hole in the silhouette of the first one
+mkdir -p "$out/vectors/thesis/hole"
+draw vectors/thesis/hole/page.png image 77 19 --type mixed --size 150 --photo 0 --paper 0 --colour 0 --pen 2 --fill 0.9
+tools/make_thesis_pages.py "$out/vectors/thesis"
 
 # a motion for people to follow
 tools/make_dance.py > "$out/dance.bvh"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Are the results on this machine those that were released? Every stage of the pipeline on three small
-// drawings of our own, each stage's output compared with the stored one to the last bit (docs/determinism.md,
-// "pantin verify"); and two folders of results compared with each other.
+// drawings of our own for each preset, each stage's output compared with the stored one to the last bit
+// (docs/determinism.md, "pantin verify"); and two folders of results compared with each other.
 //
 // The stored outputs are the reference vectors (testdata/vectors/README.md): files in the formats of
 // docs/formats.md, compiled in.
@@ -17,7 +17,9 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -58,27 +60,35 @@ struct StageDifferences {
 // --- the stored outputs ------------------------------------------------------------------------------------
 
 struct VerificationSettings {
+    std::string preset = "default"; // whose drawings and stored outputs
     Options options = verification_options();
     int threads = 1;         // results do not depend on it
     bool end_to_end = false; // stages take what the stage before has just made
     std::function<void(const std::string& stage, double share)> progress; // as in Settings
 
-    // The preset `default` with coarser animations and solids, so that the stored files are small. No error.
-    // Own.
-    static Options verification_options();
+    // The preset with coarser animations and solids, so that the stored files are small. Error(usage) when
+    // there is no such preset. Own.
+    static Options verification_options(std::string_view preset = "default");
+    // Of a preset; the same error. Own.
+    static VerificationSettings of(std::string_view preset);
 };
+
+// The presets with stored outputs, in the order in which they are verified. No error. Own.
+std::span<const std::string_view> verified_presets();
 
 struct Verification {
     std::vector<std::string> drawings, stages; // columns and rows of the table, in the order of the flow
     // Of each stage on each drawing that it is for; `files` is empty where all agree.
     std::vector<StageDifferences> results;
-    Files outputs;      // `<drawing>/<file>`: the inputs, and what the stages made
+    Files outputs;      // `<drawing>/<file>`, of `thesis` `thesis/<drawing>/<file>`: the inputs, and what the
+                        // stages made
     std::string digest; // of the values of all outputs: equal where the results are
     // The first one that differs, none when all agree.
     const StageDifferences* first_difference() const;
 };
 // Writes nothing. A stage that throws differs by its message. In a FileDifference the stored value is the
-// first one. Error(internal) when the compiled-in files are damaged. Own (docs/determinism.md).
+// first one. Error(usage) when there is no such preset, Error(internal) when the compiled-in files are
+// damaged. Own (docs/determinism.md).
 Verification verify(const VerificationSettings& settings = {});
 
 // Rows stages, columns drawings, "ok" or "DIFFERS"; below it a line for each file that differs; last the

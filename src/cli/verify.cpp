@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pantin verify [-o DIR]        every stage against the stored outputs
+// pantin verify [--preset NAME] [-o DIR]     every stage against the stored outputs
 // pantin verify DIR --against DIR [-o DIR]   two folders of results
 #include <memory>
 
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 struct Arguments {
     CommonOptions common;
-    std::string folder, against, out;
+    std::string folder, against, out, preset;
     bool end_to_end = false;
 };
 
@@ -48,23 +48,36 @@ int compare(const Arguments& arguments) {
                                         first.stage + " (" + first.files.front().file + ")");
 }
 
-int run_verify(const Arguments& arguments) {
-    if (arguments.folder.empty() != arguments.against.empty())
-        throw Error(ErrorKind::usage, "two folders are compared: pantin verify DIR --against DIR");
-    if (!arguments.folder.empty()) return compare(arguments);
+Verification verify_preset(const Arguments& arguments, std::string_view preset) {
     const Settings common = make_settings(arguments.common);
-    VerificationSettings settings;
+    VerificationSettings settings = VerificationSettings::of(preset);
     if (!arguments.common.config.empty()) apply_config(settings.options, arguments.common.config);
     settings.threads = common.threads;
     settings.progress = common.progress;
     settings.end_to_end = arguments.end_to_end;
-    const Verification verification = verify(settings);
-    print_result(arguments.common, verification_table(verification));
-    if (!arguments.out.empty()) write_files(arguments.out, verification.outputs);
-    const StageDifferences* first = verification.first_difference();
-    if (!first) return 0;
-    throw Error(ErrorKind::differs, "stage " + first->stage + " differs on the " + first->drawing + " (" +
-                                        first->files.front().file + ")");
+    return verify(settings);
+}
+
+int run_verify(const Arguments& arguments) {
+    if (arguments.folder.empty() != arguments.against.empty())
+        throw Error(ErrorKind::usage, "two folders are compared: pantin verify DIR --against DIR");
+    if (!arguments.folder.empty()) return compare(arguments);
+    std::string message;
+    bool first_table = true;
+    for (const std::string_view preset : verified_presets()) {
+        if (!arguments.preset.empty() && arguments.preset != preset) continue;
+        const Verification verification = verify_preset(arguments, preset);
+        print_result(arguments.common, (first_table ? "" : "\n") + ("preset " + std::string(preset)) + "\n" +
+                                           verification_table(verification));
+        first_table = false;
+        if (!arguments.out.empty()) write_files(arguments.out, verification.outputs);
+        const StageDifferences* first = verification.first_difference();
+        if (first && message.empty())
+            message = "stage " + first->stage + " differs on the " + first->drawing + " (" +
+                      first->files.front().file + ")";
+    }
+    if (message.empty()) return 0;
+    throw Error(ErrorKind::differs, message);
 }
 
 } // namespace
@@ -78,6 +91,8 @@ void add_verify(Command app) {
     command.option("--against", arguments->against, "the other folder: of verify, animate or any step");
     command.option("-o,--output", arguments->out,
                    "folder for the stages' outputs; of a comparison for pictures of where they differ");
+    command.option("--preset", arguments->preset, "default or thesis (default: both, one after the other)")
+        .one_of({"default", "thesis"});
     command.flag("--end-to-end", arguments->end_to_end,
                  "every stage takes what the stage before has just made, not the stored input");
     command.option("--config", arguments->common.config,

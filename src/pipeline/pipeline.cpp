@@ -18,6 +18,7 @@
 #include "pipeline/motion_notice.hpp"
 #include "pipeline/page_types.hpp"
 #include "pipeline/scene.hpp"
+#include "pipeline/segmentation_options.hpp"
 #include "pipeline/self_check.hpp"
 
 namespace pantin {
@@ -28,13 +29,6 @@ namespace {
 
 // Thesis 4.3 takes every drawing for a character.
 constexpr const char* scribble_text = "looks like a scribble: many strokes, and no parts";
-
-// With the question answered whether the drawing is a photograph (thesis ch. 5).
-SegmentationOptions segmentation_options(const RgbImage& drawing, SegmentationOptions options) {
-    if (options.grey_erosion == GreyErosion::photographs)
-        options.grey_erosion = is_photograph(drawing) ? GreyErosion::always : GreyErosion::never;
-    return options;
-}
 
 // Steps `first` to `last` on a character that has the products of the steps before. CharacterRejected says
 // why it cannot go on. `progress` is told of each step.

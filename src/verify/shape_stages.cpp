@@ -13,6 +13,7 @@
 #include "formats/skeleton_file.hpp"
 #include "formats/voronoi_file.hpp"
 #include "pantin/image.hpp"
+#include "pipeline/segmentation_options.hpp"
 #include "verify/stage.hpp"
 #include "verify/step_files.hpp"
 
@@ -49,14 +50,16 @@ Files detect_characters(const StageContext& c) {
 }
 
 Files segment(const StageContext& c) {
-    SegmentationOptions options = c.options.segmentation;
+    SegmentationOptions options =
+        segmentation_options(c.picture(character_path + file_names::drawing), c.options.segmentation);
     options.threads = c.threads;
     const Segmentation result =
         c.networks.segmenter().segment(inverted(c.grey(character_path + file_names::ink)),
                                        c.mask(character_path + file_names::mask), options);
     return {{character_path + file_names::segmentation, segmentation_to_json(result)},
             {character_path + file_names::labels, png(result.labels)},
-            {trace_path + "probabilities.json", probabilities_to_json(result.probabilities)}};
+            {trace_path + "probabilities.json",
+             probabilities_to_json(result.probabilities, c.drawing.probability_step)}};
 }
 
 // --- skeletonization
@@ -89,7 +92,7 @@ Files voronoi(const StageContext& c) {
 // The ridges are nearly thin already; the whole silhouette meets every neighbourhood.
 Files thin(const StageContext& c) {
     const auto thinned = [&](const char* file) {
-        return png(to_grey(zhang_suen(c.mask(trace_path + file))));
+        return png(to_grey(zhang_suen(c.mask(trace_path + file), c.options.skeletonization.thinning_stop)));
     };
     return {{trace_path + file_names::trace_thinned, thinned(file_names::trace_voronoi_picture)},
             {trace_path + "thinned-silhouette.png", thinned(file_names::trace_silhouette)}};

@@ -9,11 +9,29 @@
 
 namespace pantin {
 
-const std::vector<VerifiedDrawing>& verified_drawings() {
-    static const std::vector<VerifiedDrawing> drawings = {{"humanoid", Detector::mask_rcnn, true, true},
-                                                          {"quadruped", Detector::mask_rcnn, false, false},
-                                                          {"flyer", Detector::contour, false, false}};
-    return drawings;
+std::span<const std::string_view> verified_presets() {
+    static constexpr std::string_view presets[] = {"default", "thesis"};
+    return presets;
+}
+
+const std::vector<VerifiedDrawing>& verified_drawings(std::string_view preset) {
+    static const std::vector<VerifiedDrawing> of_default = {
+        {"humanoid", "humanoid", Detector::mask_rcnn, true, true},
+        {"quadruped", "quadruped", Detector::mask_rcnn, false, false},
+        {"flyer", "flyer", Detector::contour, false, false}};
+    static const std::vector<VerifiedDrawing> of_thesis = [] {
+        std::vector<VerifiedDrawing> drawings;
+        for (const char* name : {"hole", "unpaired", "crossed"}) {
+            VerifiedDrawing& drawing = drawings.emplace_back();
+            drawing.name = name;
+            drawing.folder = std::string("thesis/") + name;
+            drawing.probability_step = 16;
+        }
+        return drawings;
+    }();
+    if (preset == "default") return of_default;
+    if (preset == "thesis") return of_thesis;
+    throw Error(ErrorKind::usage, "no stored results of a preset '" + std::string(preset) + "'");
 }
 
 const std::vector<Stage>& verified_stages() {
@@ -27,8 +45,8 @@ const std::vector<Stage>& verified_stages() {
 }
 
 const std::string& StageContext::text(const std::string& name) const {
-    const auto found = files.find(drawing.name + "/" + name);
-    if (found == files.end()) throw Error(ErrorKind::input, drawing.name + "/" + name + ": missing");
+    const auto found = files.find(drawing.folder + "/" + name);
+    if (found == files.end()) throw Error(ErrorKind::input, drawing.folder + "/" + name + ": missing");
     return found->second;
 }
 

@@ -12,15 +12,19 @@
 namespace pantin {
 
 // The drawings, columns of the table. What the network costs is most of the time, so the features are shared
-// out: one drawing is seen in several views, two are found by the network and one by the contour-based
-// detector, one becomes a solid.
+// out: of `default` one drawing is seen in several views, two are found by the network and one by the
+// contour-based detector, one becomes a solid. Those of `thesis` are what its steps can stumble on: a
+// silhouette with a hole, an end-effector without a partner, legs that cross.
 struct VerifiedDrawing {
     std::string name;
+    std::string folder; // of its files
     Detector detector = Detector::mask_rcnn;
     bool several_views = false;
     bool solid = false;
+    int probability_step = 8; // of the stored probabilities
 };
-const std::vector<VerifiedDrawing>& verified_drawings();
+// Error(usage) when the preset has none.
+const std::vector<VerifiedDrawing>& verified_drawings(std::string_view preset);
 
 // What a stage works with.
 struct StageContext {

@@ -15,7 +15,6 @@ namespace {
 
 constexpr double huge = 1e15;
 constexpr long most = 1'000'000;
-constexpr int probability_step = 8;
 constexpr std::size_t most_found = 3;
 
 Json to_array(Point2d p) { return {p.x, p.y}; }
@@ -105,19 +104,19 @@ std::string found_to_json(const std::vector<CharacterFinder::Found>& found) {
     return to_json_text(json);
 }
 
-std::string probabilities_to_json(const std::vector<Grid<float>>& probabilities) {
+std::string probabilities_to_json(const std::vector<Grid<float>>& probabilities, int step) {
     Json json;
     json["width"] = probabilities.front().width();
     json["height"] = probabilities.front().height();
-    json["step"] = probability_step;
+    json["step"] = step;
     Digest digest;
     for (std::size_t label = 0; label < probabilities.size(); ++label) {
         const Grid<float>& plane = probabilities[label];
         digest.add(plane);
         Json rows = Json::array();
-        for (int y = 0; y < plane.height(); y += probability_step) {
+        for (int y = 0; y < plane.height(); y += step) {
             Json row = Json::array();
-            for (int x = 0; x < plane.width(); x += probability_step) row.push_back(plane(x, y));
+            for (int x = 0; x < plane.width(); x += step) row.push_back(plane(x, y));
             rows.push_back(row);
         }
         json[std::string(label_names[label])] = rows;

@@ -16,8 +16,8 @@
 namespace pantin {
 
 std::string found_to_json(const std::vector<CharacterFinder::Found>& found); // the three of highest score
-std::string
-probabilities_to_json(const std::vector<Grid<float>>& probabilities); // every 8th value, and a digest of all
+// Every value whose x and y are multiples of the step, and a digest of all.
+std::string probabilities_to_json(const std::vector<Grid<float>>& probabilities, int step);
 
 // A rig in three files: mesh.json (size, mesh, texture), bones.json, and weights.txt with depths.json.
 std::string mesh_to_json(const Rig& rig);

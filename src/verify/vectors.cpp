@@ -43,8 +43,10 @@ std::string gunzip(std::span<const unsigned char> bytes) {
         damaged();
     const auto* deflated = reinterpret_cast<const char*>(bytes.data()) + header;
     int length = 0;
-    const std::unique_ptr<char, FreeBytes> inflated(stbi_zlib_decode_noheader_malloc(
-        deflated, static_cast<int>(bytes.size() - header - trailer), &length));
+    // The trailer is given, too: the inflater of stb_image 2.27 gives up when the input ends within 16 bits
+    // before the last code does, and stops by itself at the end of the last block.
+    const std::unique_ptr<char, FreeBytes> inflated(
+        stbi_zlib_decode_noheader_malloc(deflated, static_cast<int>(bytes.size() - header), &length));
     if (!inflated) damaged();
     return std::string(inflated.get(), static_cast<std::size_t>(length));
 }

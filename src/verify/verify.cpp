@@ -25,8 +25,8 @@ Options options_for(const VerifiedDrawing& drawing, Options options) {
 }
 
 // The stored files with what the stages have made so far in their place.
-void replace(Files& files, const std::string& drawing, const Files& made) {
-    for (const auto& [name, bytes] : made) files[drawing + "/" + name] = bytes;
+void replace(Files& files, const std::string& folder, const Files& made) {
+    for (const auto& [name, bytes] : made) files[folder + "/" + name] = bytes;
 }
 
 // The message of a stage that throws takes the place of its files.
@@ -55,11 +55,11 @@ FileDifference fact(const std::string& file, const std::string& first, const std
     return difference;
 }
 
-std::vector<FileDifference> differences_of(const Stage& stage, const std::string& drawing,
+std::vector<FileDifference> differences_of(const Stage& stage, const std::string& folder,
                                            const Outcome& outcome, const Files& stored) {
     std::vector<FileDifference> differences;
     for (const std::string& output : stage.outputs) {
-        const std::string name = drawing + "/" + output;
+        const std::string name = folder + "/" + output;
         const auto wanted = stored.find(name);
         const auto made = outcome.made.find(output);
         if (made == outcome.made.end()) {
@@ -83,21 +83,33 @@ std::string digest_of(const Files& files) {
     return digest.text();
 }
 
+std::vector<ReferenceSkeleton> references_of(const Options& options) {
+    std::vector<ReferenceSkeleton> references = load_references();
+    if (options.animation.clips == ClipSet::thesis)
+        for (ReferenceSkeleton& reference : references) reference.clips = thesis_clips(reference);
+    return references;
+}
+
 class Verifier {
 public:
     explicit Verifier(const VerificationSettings& settings)
-        : settings_(settings), references_(load_references()), stored_(stored_vectors()) {}
+        : settings_(settings), drawings_(verified_drawings(settings.preset)),
+          references_(references_of(settings.options)), stored_(stored_vectors()) {}
 
     Verification run() {
-        for (const VerifiedDrawing& drawing : verified_drawings()) result_.drawings.push_back(drawing.name);
-        for (const Stage& stage : verified_stages()) result_.stages.push_back(stage.name);
-        for (const VerifiedDrawing& drawing : verified_drawings()) check(drawing);
+        for (const VerifiedDrawing& drawing : drawings_) result_.drawings.push_back(drawing.name);
+        for (const Stage& stage : verified_stages())
+            if (std::any_of(drawings_.begin(), drawings_.end(),
+                            [&](const VerifiedDrawing& drawing) { return stage.is_for(drawing); }))
+                result_.stages.push_back(stage.name);
+        for (const VerifiedDrawing& drawing : drawings_) check(drawing);
         result_.digest = digest_of(result_.outputs);
         return std::move(result_);
     }
 
 private:
     const VerificationSettings& settings_;
+    const std::vector<VerifiedDrawing>& drawings_;
     Networks networks_;
     const std::vector<ReferenceSkeleton> references_;
     const Files stored_;
@@ -105,35 +117,48 @@ private:
     double done_ = 0; // drawings and stages
 
     void check(const VerifiedDrawing& drawing) {
-        const Options options = options_for(drawing, settings_.options);
-        const std::string page = drawing.name + "/page.png";
+        const Options options =
+            settings_.preset == "default" ? options_for(drawing, settings_.options) : settings_.options;
+        const std::string page = drawing.folder + "/page.png";
         if (const auto found = stored_.find(page); found != stored_.end())
             result_.outputs[page] = found->second;
         Files chain = stored_;
         for (const Stage& stage : verified_stages()) {
-            const double total = static_cast<double>(verified_drawings().size() * verified_stages().size());
+            const double total = static_cast<double>(drawings_.size() * verified_stages().size());
             if (settings_.progress) settings_.progress(drawing.name + ": " + stage.name, done_++ / total);
             if (!stage.is_for(drawing)) continue;
             const Files& input = settings_.end_to_end ? chain : stored_;
             const Outcome outcome =
                 outcome_of(stage, {drawing, options, settings_.threads, networks_, references_, input});
-            if (settings_.end_to_end) replace(chain, drawing.name, outcome.made);
-            replace(result_.outputs, drawing.name, outcome.made);
+            if (settings_.end_to_end) replace(chain, drawing.folder, outcome.made);
+            replace(result_.outputs, drawing.folder, outcome.made);
             result_.results.push_back(
-                {stage.name, drawing.name, differences_of(stage, drawing.name, outcome, stored_)});
+                {stage.name, drawing.name, differences_of(stage, drawing.folder, outcome, stored_)});
         }
     }
 };
 
 } // namespace
 
-Options VerificationSettings::verification_options() {
-    Options options = make_preset("default");
+Options VerificationSettings::verification_options(std::string_view preset) {
+    Options options = make_preset(preset);
+    if (preset == "thesis") {
+        options.animation.samples = 4;
+        options.rigging.mesh.cell = 6;
+        return options;
+    }
     options.animation.samples = 8;
     options.modeling.unite.cells_across = 10;
     options.modeling.inflation.polygon.samples = 100;
     options.modeling.inflation.longest_edge = 0.1;
     return options;
+}
+
+VerificationSettings VerificationSettings::of(std::string_view preset) {
+    VerificationSettings settings;
+    settings.preset = preset;
+    settings.options = verification_options(preset);
+    return settings;
 }
 
 const StageDifferences* Verification::first_difference() const {

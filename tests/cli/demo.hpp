@@ -35,6 +35,25 @@ inline const std::filesystem::path& animated_demo() {
     return out;
 }
 
+// The folder of the drawings on which the preset `thesis` is verified, each in a folder of its own; the same
+// for every caller.
+inline const std::filesystem::path& animated_thesis() {
+    static const TemporaryFolder folder;
+    static const std::filesystem::path out = [] {
+        const std::filesystem::path to = folder / "out";
+        for (const std::string drawing : {"hole", "unpaired", "crossed"}) {
+            const Outcome outcome = run_pantin(
+                std::vector<std::string>{"animate", "testdata/vectors/thesis/" + drawing + "/page.png", "-o",
+                                         (to / drawing).string(), "--preset", "thesis"} +
+                small_films);
+            if (outcome.code != 0)
+                throw std::runtime_error("animate of " + drawing + " failed: " + outcome.err);
+        }
+        return to;
+    }();
+    return out;
+}
+
 // The folder of a model that was animated; the same for every caller.
 inline const std::filesystem::path& animated_model() {
     static const TemporaryFolder folder;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Golden digests of every file of the demo page and of a model (docs/determinism.md says what is digested,
-// and how to update them).
+// Golden digests of every file of the demo page, of the preset `thesis` and of a model (docs/determinism.md
+// says what is digested, and how to update them).
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
@@ -104,6 +104,12 @@ void check_golden(const std::filesystem::path& folder, const std::string& golden
 TEST_CASE("Every file of the demo page has its golden digest", "[cli][end-to-end][golden]") {
     check_golden(animated_demo(), "tests/golden/demo.txt",
                  "pantin animate testdata/demo.png --size 64 --fps 5");
+}
+
+TEST_CASE("Every file of the preset thesis has its golden digest", "[cli][end-to-end][golden]") {
+    check_golden(
+        animated_thesis(), "tests/golden/thesis.txt",
+        "pantin animate testdata/vectors/thesis/NAME/page.png -o NAME --preset thesis --size 64 --fps 5");
 }
 
 TEST_CASE("Every file of a model has its golden digest", "[cli][end-to-end][golden][model]") {

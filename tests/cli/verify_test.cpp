@@ -6,6 +6,7 @@
 
 #include "cli/demo.hpp"
 #include "pantin/image.hpp"
+#include "pantin/verify.hpp"
 #include "pantin/version.hpp"
 
 using namespace pantin;
@@ -32,10 +33,13 @@ TEST_CASE("verify prints a table, writes what is asked for only, and its output 
     const Outcome one = run_pantin({"verify", "--threads", "1", "-o", (folder / "one").string()});
     CAPTURE(one.out, one.err);
     REQUIRE(one.code == 0);
-    CHECK(one.out.starts_with("stage       humanoid    quadruped   flyer\n"));
+    CHECK(one.out.starts_with("preset default\nstage       humanoid    quadruped   flyer\n"));
+    CHECK(one.out.find("\n\npreset thesis\nstage       hole        unpaired    crossed\n") !=
+          std::string::npos);
     CHECK(one.out.find("\nskeletonize ok          ok          ok\n") != std::string::npos);
     CHECK(one.out.find("DIFFERS") == std::string::npos);
     CHECK(fs::exists(folder / "one/humanoid/character-1/model/solid.json"));
+    CHECK(fs::exists(folder / "one/thesis/hole/character-1/character.glb"));
     const Outcome two =
         run_pantin({"verify", "--threads", "2", "--end-to-end", "-o", (folder / "two").string()});
     CHECK(two.out == one.out); // the digest is in it
@@ -47,6 +51,36 @@ TEST_CASE("verify prints a table, writes what is asked for only, and its output 
     CHECK(quiet.code == 0);
     CHECK(quiet.out.empty());
     CHECK(quiet.err.empty());
+}
+
+TEST_CASE("verify --preset runs that one alone; a difference in it is named", "[cli][verify]") {
+    const TemporaryFolder folder;
+    const std::string all = (folder / "all").string();
+    const Outcome outcome = run_pantin({"verify", "--preset", "thesis", "-o", all});
+    CAPTURE(outcome.out, outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(outcome.out.starts_with("preset thesis\nstage       hole "));
+    CHECK(outcome.out.find("60 of 60 agree, digest ") != std::string::npos);
+    CHECK(fs::exists(folder / "all/thesis/crossed/character-1/mesh.obj"));
+    CHECK_FALSE(fs::exists(folder / "all/humanoid"));
+    write(folder / "options.json", R"({"identification.k_v": 1.5})");
+    check_line(run_pantin({"verify", "--preset", "thesis", "--config", (folder / "options.json").string()}),
+               8, "stage identify differs on the hole (thesis/hole/character-1/identification.json)");
+    check_line(run_pantin({"verify", "--preset", "best"}), 2, "--preset");
+}
+
+// The stages of verification are the pipeline's: what `animate` makes of the same pages is what is stored.
+TEST_CASE("animate --preset thesis makes the stored shapes and mappings", "[cli][verify]") {
+    const fs::path stored = "testdata/vectors/thesis";
+    for (const char* drawing : {"hole", "unpaired", "crossed"}) {
+        const fs::path& made = animated_thesis() / drawing;
+        for (const char* name : {"mask.png", "labels.png", "contour.json", "skeleton.png", "skeleton.json",
+                                 "identification.json", "mapping.json"}) {
+            CAPTURE(drawing, name);
+            const std::string file = std::string("character-1/") + name;
+            CHECK_FALSE(compare_files(name, read(stored / drawing / file), read(made / file)));
+        }
+    }
 }
 
 TEST_CASE("A difference is exit code 8 and names the stage, the file, the place and both values",

@@ -2,10 +2,15 @@
 // The stages against the stored results: they agree, and a change in a stage is seen in that stage.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <set>
+#include <stdexcept>
 
+#include "core/json.hpp"
 #include "core/resources.hpp"
 #include "export/rigs.hpp"
+#include "formats/file_names.hpp"
+#include "formats/skeleton_file.hpp"
 #include "pantin/error.hpp"
 #include "pantin/export.hpp"
 #include "pantin/verify.hpp"
@@ -27,7 +32,92 @@ std::set<std::string> differing(const Verification& verification) {
     return all;
 }
 
+// The stored files of a preset are the inputs and what the stages make, nothing else.
+void check_files(const Verification& verification, const std::string& preset) {
+    Files stored = stored_vectors();
+    stored.erase("README.md");
+    std::erase_if(
+        stored, [&](const auto& file) { return file.first.starts_with("thesis/") != (preset == "thesis"); });
+    CHECK(verification.outputs.size() == stored.size());
+    for (const auto& [name, bytes] : stored) {
+        CAPTURE(name);
+        CHECK(verification.outputs.count(name) == 1);
+    }
+}
+
+const std::string& stored_text(const Files& files, const std::string& name) {
+    const auto found = files.find("thesis/" + name);
+    if (found == files.end()) throw std::runtime_error(name + " is not stored");
+    return found->second;
+}
+
+SkeletonGraph stored_graph(const Files& files, const std::string& drawing) {
+    return skeleton_from_json(stored_text(files, drawing + "/character-1/skeleton.json"), "skeleton.json");
+}
+
 } // namespace
+
+TEST_CASE("Preset thesis: every stage agrees, stage by stage and end to end", "[verify]") {
+    VerificationSettings settings = VerificationSettings::of("thesis");
+    const Verification verification = verify(settings);
+    INFO(verification_table(verification));
+    CHECK(verification.first_difference() == nullptr);
+    CHECK(verification.results.size() == 60);
+    CHECK(verification.drawings == std::vector<std::string>{"hole", "unpaired", "crossed"});
+    check_files(verification, "thesis");
+    settings.end_to_end = true;
+    settings.threads = 2;
+    CHECK(verify(settings).digest == verification.digest);
+}
+
+// A program without GLPK takes our branch and bound for the literal integer program (identification.hpp).
+TEST_CASE("Preset thesis: the other solvers of the graph distance store the same", "[verify]") {
+    for (const GgdSolver solver : {GgdSolver::branch_and_bound, GgdSolver::tightened}) {
+        VerificationSettings settings = VerificationSettings::of("thesis");
+        settings.options.identification.solver = solver;
+        CHECK(differing(verify(settings)).empty());
+    }
+}
+
+// What makes the drawings worth verifying does not go away unseen when the vectors are renewed.
+TEST_CASE("Preset thesis: a hole, an end-effector without a partner, legs that cross", "[verify]") {
+    const Files files = stored_vectors();
+    const SkeletonGraph hole = stored_graph(files, "hole");
+    CHECK(hole.edges.size() >= hole.vertices.size()); // connected, so it has a cycle
+
+    const SkeletonGraph unpaired = stored_graph(files, "unpaired");
+    const Json mapping =
+        parse_json(stored_text(files, "unpaired/character-1/mapping.json"), file_names::mapping);
+    const auto ends = std::count_if(unpaired.vertices.begin(), unpaired.vertices.end(),
+                                    [](const SkeletonVertex& v) { return v.end; });
+    CHECK(ends > static_cast<long>(mapping.at("pairs").size()));
+    CHECK(mapping.at("costs").size() > mapping.at("costs").at(0).size());
+
+    // The two legs meet in one limb junction, from which each goes its way: neither starts at the body.
+    const SkeletonGraph crossed = stored_graph(files, "crossed");
+    std::vector<int> legs(crossed.vertices.size());
+    for (const SkeletonEdge& edge : crossed.edges)
+        for (const auto& [from, to] : {std::pair(edge.u, edge.v), std::pair(edge.v, edge.u)}) {
+            const SkeletonVertex &a = crossed.vertices[static_cast<std::size_t>(from)],
+                                 &b = crossed.vertices[static_cast<std::size_t>(to)];
+            legs[static_cast<std::size_t>(from)] +=
+                !a.end && a.label == Label::limb && b.end && b.label == Label::limb && b.y > a.y;
+        }
+    CHECK(std::count(legs.begin(), legs.end(), 2) == 1);
+}
+
+TEST_CASE("Preset thesis: a changed option is seen in its stage", "[verify]") {
+    VerificationSettings settings = VerificationSettings::of("thesis");
+    settings.options.rigging.weight_ends = WeightEnds::mapped;
+    settings.options.rigging.mapping.length_in_pixels = false;
+    const std::set<std::string> found = differing(verify(settings));
+    CHECK(found.count("weights/unpaired") == 1);
+    CHECK(found.count("map/crossed") == 1);
+    CHECK(found.count("identify/crossed") == 0);
+    CHECK_THROWS_AS(VerificationSettings::of("other"), Error);
+    settings.preset = "other";
+    CHECK_THROWS_AS(verify(settings), Error);
+}
 
 TEST_CASE("Every stage on every drawing agrees with the stored results, stage by stage and end to end",
           "[verify]") {
@@ -35,14 +125,7 @@ TEST_CASE("Every stage on every drawing agrees with the stored results, stage by
     INFO(verification_table(verification));
     CHECK(verification.first_difference() == nullptr);
     CHECK(verification.results.size() >= 60);
-    // The stored files are the inputs and what the stages make, nothing else.
-    Files stored = stored_vectors();
-    stored.erase("README.md");
-    CHECK(verification.outputs.size() == stored.size());
-    for (const auto& [name, bytes] : stored) {
-        CAPTURE(name);
-        CHECK(verification.outputs.count(name) == 1);
-    }
+    check_files(verification, "default");
     VerificationSettings chained;
     chained.end_to_end = true;
     chained.threads = 2;
@@ -100,17 +183,18 @@ TEST_CASE("A stage that throws differs by its message", "[verify]") {
 
 TEST_CASE("Every file of the vectors is made by one stage at first, and read only after it is made",
           "[verify]") {
-    for (const VerifiedDrawing& drawing : verified_drawings()) {
-        std::set<std::string> made = {"page.png"};
-        for (const Stage& stage : verified_stages()) {
-            if (!stage.is_for(drawing)) continue;
-            for (const std::string& input : stage.inputs) {
-                CAPTURE(stage.name, input);
-                CHECK(made.count(input) == 1);
+    for (const std::string_view preset : verified_presets())
+        for (const VerifiedDrawing& drawing : verified_drawings(preset)) {
+            std::set<std::string> made = {"page.png"};
+            for (const Stage& stage : verified_stages()) {
+                if (!stage.is_for(drawing)) continue;
+                for (const std::string& input : stage.inputs) {
+                    CAPTURE(stage.name, input);
+                    CHECK(made.count(input) == 1);
+                }
+                made.insert(stage.outputs.begin(), stage.outputs.end());
             }
-            made.insert(stage.outputs.begin(), stage.outputs.end());
         }
-    }
 }
 
 TEST_CASE("The README of the vectors describes every file and every stage", "[verify]") {
