@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "pantin/rigging.hpp"
+#include "settings.hpp"
 
 namespace pantin::compare {
 namespace {
@@ -61,10 +62,7 @@ void end_effectors(const Figure& figure, const ReferenceSkeleton& reference, Rep
     const auto& stored = figure.stored["effectors_vs_" + reference.name];
     const auto& stored_skeleton = figure.stored["residual"]["chord"];
     const SkeletonGraph graph = skeleton_of(figure, stored_skeleton);
-    MappingOptions thesis;
-    thesis.label_aware = false;
-    thesis.length_in_pixels = true;
-    const Mapping mapping = map_end_effectors(graph, figure.mask, reference, {}, thesis);
+    const Mapping mapping = map_end_effectors(graph, figure.mask, reference, {}, mapping_settings());
     const std::string where = figure.name + " " + reference.name;
 
     std::vector<int> ends;
@@ -95,9 +93,14 @@ void end_effectors(const Figure& figure, const ReferenceSkeleton& reference, Rep
 void mapping_stages(const std::filesystem::path& reference, const std::vector<Figure>& figures,
                     Report& report) {
     bijections(reference, report);
+    const std::string reason =
+        "the stored results do not say to the pixel how they draw the reference's shape";
+    report.expect_misses("end-effectors: costs (relative)", 23, reason);
+    report.expect_misses("end-effectors: pairs", 21, reason + "; see the row below for what that costs");
     for (const Figure& figure : figures)
-        for (const ReferenceSkeleton& model : load_references())
-            if (figure.stored.contains("effectors_vs_" + model.name)) end_effectors(figure, model, report);
+        for (const char* name : {"humanoid", "quadruped", "flying"})
+            if (figure.stored.contains(std::string("effectors_vs_") + name))
+                end_effectors(figure, load_reference(reference, name), report);
 }
 
 } // namespace pantin::compare
