@@ -73,7 +73,8 @@ public:
         for (std::size_t u = 0; u < a.places.size(); ++u) {
             std::vector<double>& row = cost_.emplace_back();
             for (std::size_t v = 0; v < b.places.size(); ++v)
-                row.push_back(k_v * distance(a.places[u], b.places[v]) + k_l * std::abs(a.values[u] - b.values[v]));
+                row.push_back(k_v * distance(a.places[u], b.places[v]) +
+                              k_l * std::abs(a.values[u] - b.values[v]));
         }
         find_order();
         for (int e = 0; e < std::ssize(a.edges); ++e) best_gain_.push_back(free_gain(e));
@@ -136,7 +137,8 @@ private:
         const auto [u, v] = a_.edges[e];
         double best = 0;
         for (const auto& [p, q] : b_.edges)
-            best = std::max({best, gain(e, p, q) - share(u, p) - share(v, q), gain(e, p, q) - share(u, q) - share(v, p)});
+            best = std::max(
+                {best, gain(e, p, q) - share(u, p) - share(v, q), gain(e, p, q) - share(u, q) - share(v, p)});
         return best;
     }
     double most_gain(int e) const {

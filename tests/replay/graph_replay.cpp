@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The graph of the skeleton's pixels (thesis 4.4), by taking junctions and ends out and flooding what is left,
-// and the heuristics H1 and H2 (ERRATA 7).
+// The graph of the skeleton's pixels (thesis 4.4), by taking junctions and ends out and flooding what is
+// left, and the heuristics H1 and H2 (ERRATA 7).
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -88,7 +88,8 @@ std::vector<std::pair<int, int>> touched(const Multigraph& graph, Point2i p) {
 Multigraph read_skeleton(const Mask& skeleton) {
     Multigraph graph;
     const Regions crossings = regions_of(pixels_with(skeleton, 3, 8), true, true);
-    for (const auto& pixels : pixels_by_region(crossings)) graph.vertices.push_back({central(pixels), pixels});
+    for (const auto& pixels : pixels_by_region(crossings))
+        graph.vertices.push_back({central(pixels), pixels});
     const Mask ends = pixels_with(skeleton, 0, 1);
     for (int y = 0; y < ends.height(); ++y)
         for (int x = 0; x < ends.width(); ++x)
@@ -98,19 +99,21 @@ Multigraph read_skeleton(const Mask& skeleton) {
         for (const Point2i p : chain)
             for (const auto& side : touched(graph, p)) sides.push_back(side);
         if (sides.size() == 2)
-            graph.links.insert(link_of(sides[0].first, sides[1].first,
-                                       static_cast<int>(std::ssize(chain)) + 2 + sides[0].second + sides[1].second));
+            graph.links.insert(
+                link_of(sides[0].first, sides[1].first,
+                        static_cast<int>(std::ssize(chain)) + 2 + sides[0].second + sides[1].second));
         else
             ++graph.rings;
     }
     for (int v = 0; v < std::ssize(graph.vertices); ++v) // without a pixel between
         for (const Point2i p : graph.vertices[v].pixels)
             for (const auto& [u, steps] : touched(graph, p))
-                if (u < v) graph.links.insert(link_of(u, v, 2 + steps + steps_to_place(graph.vertices[v], p)));
+                if (u < v)
+                    graph.links.insert(link_of(u, v, 2 + steps + steps_to_place(graph.vertices[v], p)));
     // A loop so short that nothing could be put on it is dropped.
     for (auto link = graph.links.begin(); link != graph.links.end();)
         link = std::get<0>(*link) == std::get<1>(*link) && std::get<2>(*link) < 4 ? graph.links.erase(link)
-                                                                                 : std::next(link);
+                                                                                  : std::next(link);
     return graph;
 }
 
@@ -157,7 +160,8 @@ bool same_raw_graph(const Stored& s, const Multigraph& ours) {
     return found == ours.vertices.size() && contracted(s.raw, names) == ours.links;
 }
 
-// --- heuristics ------------------------------------------------------------------------------------------------
+// --- heuristics
+// ------------------------------------------------------------------------------------------------
 
 struct Plain {
     std::vector<Vertex> vertices;

@@ -74,7 +74,8 @@ Shape modelled(const ReferenceSkeleton& reference) {
                     if ((x - c.x) * (x - c.x) + (y - c.y) * (y - c.y) <= radius * radius) mask(x, y) = 1;
         }
         Edge edge{u, v, 0, {}};
-        const int steps = std::max(1, static_cast<int>(std::ceil(std::max(std::abs(way.x), std::abs(way.y)))));
+        const int steps =
+            std::max(1, static_cast<int>(std::ceil(std::max(std::abs(way.x), std::abs(way.y)))));
         for (int k = 0; k <= steps; ++k) {
             const Point2d p = exact[u] + (static_cast<double>(k) / steps) * way;
             edge.pixels.push_back({static_cast<int>(round_up(p.x)), static_cast<int>(round_up(p.y))});
@@ -238,7 +239,8 @@ void replay_mapping(const Stored& s, Tally& tally) {
     bool entries = s.mapping["pairs"].size() == std::min(a.ends.size(), b.ends.size());
     for (const auto& pair : s.mapping["pairs"]) {
         const auto i = std::find(a.ends.begin(), a.ends.end(), pair["end"].get<int>()) - a.ends.begin();
-        const auto j = std::find(b.ends.begin(), b.ends.end(), pair["reference_end"].get<int>()) - b.ends.begin();
+        const auto j =
+            std::find(b.ends.begin(), b.ends.end(), pair["reference_end"].get<int>()) - b.ends.begin();
         entries = entries && i < std::ssize(a.ends) && j < std::ssize(b.ends) && stored[i][j] == pair["cost"];
         sum += pair["cost"].get<double>();
     }

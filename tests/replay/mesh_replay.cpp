@@ -46,7 +46,8 @@ std::multiset<Face> faces_of(const Mask& mask, int cell) {
             if (inside == 0) continue;
             for (const std::vector<int>& polygon : polygons_of(inside, in(x + cell / 2, y + cell / 2))) {
                 Face corners;
-                for (const int i : polygon) corners.emplace_back(2 * x + cell * x_at[i], 2 * y + cell * y_at[i]);
+                for (const int i : polygon)
+                    corners.emplace_back(2 * x + cell * x_at[i], 2 * y + cell * y_at[i]);
                 faces.insert(turned(corners));
             }
         }
@@ -85,17 +86,18 @@ int large_holes_of(const Mask& mask, long area) {
         std::count_if(gaps.area.begin() + 1, gaps.area.end(), [&](long a) { return a > area; }));
 }
 
-// The cell starts at a 64th of the longer side and shrinks by a quarter until no piece and no hole of more than
-// four voxels is lost (at least 2).
+// The cell starts at a 64th of the longer side and shrinks by a quarter until no piece and no hole of more
+// than four voxels is lost (at least 2).
 std::multiset<Face> mesh_of(const Mask& mask) {
     const int pieces = static_cast<int>(regions_of(mask, true, true).area.size()), holes = holes_of(mask);
-    for (int cell = std::max(4, std::max(mask.width(), mask.height()) / 64);; cell = std::max(2, cell * 3 / 4)) {
+    for (int cell = std::max(4, std::max(mask.width(), mask.height()) / 64);;
+         cell = std::max(2, cell * 3 / 4)) {
         const std::multiset<Face> faces = faces_of(mask, cell);
         std::set<Key> vertices;
         for (const Face& face : faces) vertices.insert(face.begin(), face.end());
         const auto [found, found_holes] = topology_of(faces);
-        const bool kept = found == pieces && found_holes <= holes &&
-                          found_holes >= large_holes_of(mask, 4L * cell * cell);
+        const bool kept =
+            found == pieces && found_holes <= holes && found_holes >= large_holes_of(mask, 4L * cell * cell);
         if (cell == 2 || kept || vertices.size() > 4000) return faces;
     }
 }

@@ -31,7 +31,8 @@ Borders walk(const Stored& s) {
         double way = 0;
         for (std::size_t i = 0; i < points.size(); ++i) {
             int& site = index(points[i].x, points[i].y);
-            if (site < 0) site = static_cast<int>(result.sites.size()), result.sites.push_back({points[i], {}});
+            if (site < 0)
+                site = static_cast<int>(result.sites.size()), result.sites.push_back({points[i], {}});
             result.sites[site].visits.emplace_back(b, way);
             way += distance(to_double(points[i]), to_double(points[(i + 1) % points.size()]));
         }
@@ -177,7 +178,8 @@ void draw_line(Mask& raster, const Mask& mask, Point2i a, Point2i b) {
 }
 
 // Edges over the threshold, and pixels that a border passes twice with a long way between.
-Mask raster_of(const Stored& s, const Borders& borders, const std::vector<StoredEdge>& edges, double threshold) {
+Mask raster_of(const Stored& s, const Borders& borders, const std::vector<StoredEdge>& edges,
+               double threshold) {
     Mask raster(s.width, s.height);
     for (const StoredEdge& e : edges) {
         const auto a = pixel_in(s.silhouette, e.ends.first), b = pixel_in(s.silhouette, e.ends.second);
@@ -234,7 +236,8 @@ void replay_voronoi(const Stored& s, Tally& tally) {
     const Mask drawn = raster_of(s, borders, edges, 30 * s.scale());
     const Mask filled = pockets_filled(drawn, s.silhouette);
     tally.add("raster: connected, a cycle around every hole",
-              one_with_holes(pockets_filled(s.voronoi, s.silhouette), holes) && covers(s.silhouette, s.voronoi));
+              one_with_holes(pockets_filled(s.voronoi, s.silhouette), holes) &&
+                  covers(s.silhouette, s.voronoi));
     tally.add("raster: has every edge over the threshold", covers(s.voronoi, drawn));
     // The thesis adds nothing where the drawn edges hang together; the default adds branches for parts.
     if (s.thesis && one_with_holes(filled, holes)) tally.add("raster: equal", drawn == s.voronoi);

@@ -46,15 +46,16 @@ std::string label_at(const Stored& s, Point2d p) {
 
 // The vertices that a flood from the one nearest to the end reaches: of its label, and of all ends of that
 // label this one nearest.
-std::set<int> flood(const Stored& s, const std::vector<Point2d>& places, const std::vector<std::string>& labels,
-                    const std::vector<End>& ends, const End& end) {
+std::set<int> flood(const Stored& s, const std::vector<Point2d>& places,
+                    const std::vector<std::string>& labels, const std::vector<End>& ends, const End& end) {
     int seed = 0;
     for (int v = 0; v < std::ssize(places); ++v)
         if (distance(places[v], end.place) < distance(places[seed], end.place)) seed = v;
     const auto belongs = [&](int v) {
         if (labels[v] != labels[seed]) return false;
         return std::none_of(ends.begin(), ends.end(), [&](const End& other) {
-            return other.label == labels[seed] && distance(places[v], other.place) < distance(places[v], end.place);
+            return other.label == labels[seed] &&
+                   distance(places[v], other.place) < distance(places[v], end.place);
         });
     };
     std::set<int> reached = {seed};
@@ -78,7 +79,8 @@ double bone(const std::vector<Point2d>& places, const std::vector<std::pair<int,
         top = std::min(top, p.y), bottom = std::max(bottom, p.y);
     }
     for (const auto& [u, v] : edges)
-        if (u == end || v == end) return distance(places[u], places[v]) / std::hypot(right - left, bottom - top);
+        if (u == end || v == end)
+            return distance(places[u], places[v]) / std::hypot(right - left, bottom - top);
     return 0;
 }
 
@@ -116,7 +118,8 @@ void replay_weights(const Stored& s, Tally& tally) {
     int index = 0;
     for (const auto& pair : s.mapping["pairs"]) {
         const double share = sigma(s, *reference, pair["end"], pair["reference_end"]);
-        for (const int v : flood(s, places, labels, ends, ends[index])) expected[v] = {{0, 1 - share}, {index + 1, share}};
+        for (const int v : flood(s, places, labels, ends, ends[index]))
+            expected[v] = {{0, 1 - share}, {index + 1, share}};
         ++index;
     }
     bool same = true;
