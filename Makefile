@@ -107,7 +107,7 @@ link = $(CXX) $(ldflags) $(LDFLAGS) -o $@ $(filter %.o %.a,$^)
 
 # Tests take longer to compile than to run, but for those that compute what they check; so does what calls the steps and reads
 # and writes files, once it is instrumented. Where films and networks spend their time the sanitizers pay off optimised.
-computing_tests := geometry identification modeling network skeletonization
+computing_tests := geometry identification modeling network replay skeletonization
 glue := cli/% evaluation/% formats/% pipeline/% modeling/pugixml/% modeling/strokes_% modeling/svg_%
 hot := animation/rasteriser network/kernel_%
 objects = $(patsubst %,$(BUILD)/src/%.o,$(1))

@@ -5,6 +5,7 @@
 #include "compare.hpp"
 #include "mapping_stages.hpp"
 #include "pantin/identification.hpp"
+#include "settings.hpp"
 
 namespace pantin::compare {
 namespace {
@@ -25,7 +26,7 @@ void random_problems(const std::filesystem::path& reference, Report& report) {
     for (const auto& problem : read_json(reference / "ggd_random.json")) {
         const std::string where = "problem " + std::to_string(number++);
         const LabelledGraph a = labelled_graph(problem["A"]), b = labelled_graph(problem["B"]);
-        GgdOptions options;
+        GgdOptions options = distance_settings("K115");
         options.k_v = problem["Kv"];
         options.k_e = problem["Ke"];
         options.k_l = problem["Kl"];
@@ -41,23 +42,16 @@ void random_problems(const std::filesystem::path& reference, Report& report) {
     }
 }
 
-GgdOptions options_of(const std::string& key) {
-    GgdOptions options;
-    if (key == "Kv038") options.k_v = 0.38;
-    if (key == "K1_1_0.1") options.k_l = 0.1;
-    return options;
-}
-
 void figure_distances(const Figure& figure, const std::vector<ReferenceSkeleton>& references,
                       Report& report) {
     for (const char* residual : {"arc", "chord"})
         for (const ReferenceSkeleton& reference : references) {
-            const auto& stored = figure.stored["residual"][residual];
+            const auto& stored = figure.stored.at("residual").at(residual);
             const LabelledGraph a = normalised(labelled_graph(stored["g2"])),
                                 b = normalised(to_labelled_graph(reference));
-            for (const auto& [key, value] : stored["ggd"][reference.name].items()) {
+            for (const auto& [key, value] : stored.at("ggd").at(reference.name).items()) {
                 const std::string where = figure.name + " " + residual + " " + reference.name + " " + key;
-                const GgdOptions options = options_of(key);
+                const GgdOptions options = distance_settings(key);
                 const GgdResult result = geometric_graph_distance(a, b, options);
                 compare_value(report, "ggd of figures", result.distance, value["ggd"], where);
                 compare_value(report, "ggd of figures: empty matching", result.base, value["base"], where);
@@ -75,7 +69,9 @@ void figure_distances(const Figure& figure, const std::vector<ReferenceSkeleton>
 void identification_stages(const std::filesystem::path& reference, const std::vector<Figure>& figures,
                            Report& report) {
     random_problems(reference, report);
-    const auto references = load_references();
+    std::vector<ReferenceSkeleton> references;
+    for (const char* name : {"humanoid", "quadruped", "flying"})
+        references.push_back(load_reference(reference, name));
     for (const Figure& figure : figures) figure_distances(figure, references, report);
     mapping_stages(reference, figures, report);
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "pantin/rigging.hpp"
+#include "settings.hpp"
 
 namespace pantin::compare {
 namespace {
@@ -57,16 +58,26 @@ double stored_sum(const nlohmann::json& stored, const std::vector<std::pair<int,
     return sum;
 }
 
+// Our assignment of the stored costs.
+void assignment_stage(const nlohmann::json& stored, const std::string& where, Report& report) {
+    const std::vector<int> columns = hungarian(stored.at("cost").get<std::vector<std::vector<double>>>());
+    std::vector<std::pair<int, int>> ours;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        if (columns[i] >= 0) ours.emplace_back(stored["efA"][i], stored["efB"][columns[i]]);
+    std::sort(ours.begin(), ours.end());
+    auto theirs = stored["pairs"].get<std::vector<std::pair<int, int>>>();
+    std::sort(theirs.begin(), theirs.end());
+    report.add("end-effectors: assignment of the stored costs", ours == theirs, 0, where);
+}
+
 void end_effectors(const Figure& figure, const ReferenceSkeleton& reference, Report& report) {
     const auto& stored = figure.stored["effectors_vs_" + reference.name];
     const auto& stored_skeleton = figure.stored["residual"]["chord"];
     const SkeletonGraph graph = skeleton_of(figure, stored_skeleton);
-    MappingOptions thesis;
-    thesis.label_aware = false;
-    thesis.length_in_pixels = true;
-    const Mapping mapping = map_end_effectors(graph, figure.mask, reference, {}, thesis);
+    const Mapping mapping = map_end_effectors(graph, figure.mask, reference, {}, mapping_settings());
     const std::string where = figure.name + " " + reference.name;
 
+    assignment_stage(stored, where, report);
     std::vector<int> ends;
     for (const int e : mapping.ends) ends.push_back(stored_vertex(stored_skeleton["g2"], graph.vertices[e]));
     const bool same_order = ends == stored["efA"].get<std::vector<int>>() &&
@@ -87,7 +98,7 @@ void end_effectors(const Figure& figure, const ReferenceSkeleton& reference, Rep
     report.add("end-effectors: pairs", ours == theirs, 0, where);
     // Equal up to the margin: our assignment is as good in the stored costs.
     const double excess = stored_sum(stored, ours) / stored_sum(stored, theirs) - 1;
-    report.add("end-effectors: assignment in the stored costs", excess <= cost_margin, excess, where);
+    report.add("end-effectors: our pairs in the stored costs", excess <= cost_margin, excess, where);
 }
 
 } // namespace
@@ -95,9 +106,14 @@ void end_effectors(const Figure& figure, const ReferenceSkeleton& reference, Rep
 void mapping_stages(const std::filesystem::path& reference, const std::vector<Figure>& figures,
                     Report& report) {
     bijections(reference, report);
+    const std::string reason =
+        "the stored results do not say to the pixel how they draw the reference's shape";
+    report.expect_misses("end-effectors: costs (relative)", 23, reason);
+    report.expect_misses("end-effectors: pairs", 21, reason + "; see the row below for what that costs");
     for (const Figure& figure : figures)
-        for (const ReferenceSkeleton& model : load_references())
-            if (figure.stored.contains("effectors_vs_" + model.name)) end_effectors(figure, model, report);
+        for (const char* name : {"humanoid", "quadruped", "flying"})
+            if (figure.stored.contains(std::string("effectors_vs_") + name))
+                end_effectors(figure, load_reference(reference, name), report);
 }
 
 } // namespace pantin::compare

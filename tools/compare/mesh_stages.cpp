@@ -7,6 +7,7 @@
 #include "pantin/rigging.hpp"
 #include "rigging/mesh_topology.hpp"
 #include "rigging/thesis_weights.hpp"
+#include "settings.hpp"
 
 namespace pantin::compare {
 namespace {
@@ -35,16 +36,6 @@ void compare_mesh(const Mesh& mesh, const nlohmann::json& stored, const std::str
                  y = sum.y - stored.at("sum_xy")[1].get<double>();
     report.add("mesh: sum of coordinates", std::abs(x) + std::abs(y) < 1e-6, std::abs(x) + std::abs(y),
                where);
-}
-
-// The stored reference skeleton: edges by index, nodes without names.
-ReferenceSkeleton reference_from_json(const nlohmann::json& json) {
-    ReferenceSkeleton reference;
-    for (const auto& node : json.at("nodes"))
-        reference.nodes.push_back({"", label_from_name(node.at("label").get<std::string>()), node.at("x"),
-                                   node.at("y"), node.at("r")});
-    for (const auto& edge : json.at("edges")) reference.edges.emplace_back(edge[0], edge[1]);
-    return reference;
 }
 
 void compare_weights(const Figure& figure, const Mesh& mesh, const ReferenceSkeleton& quadruped,
@@ -79,14 +70,10 @@ void compare_weights(const Figure& figure, const Mesh& mesh, const ReferenceSkel
 } // namespace
 
 void mesh_stages(const std::filesystem::path& reference, const std::vector<Figure>& figures, Report& report) {
-    const ReferenceSkeleton quadruped =
-        reference_from_json(read_json(reference / "references" / "quadruped.json"));
+    const ReferenceSkeleton quadruped = load_reference(reference, "quadruped");
     for (const Figure& figure : figures)
         for (const int cell : {8, 16}) {
-            MeshOptions options;
-            options.cell = cell;
-            options.margin = 0;
-            const Mesh mesh = marching_squares(figure.mask, options);
+            const Mesh mesh = marching_squares(figure.mask, mesh_settings(cell));
             compare_mesh(mesh, figure.stored.at("mesh").at(std::to_string(cell)),
                          figure.name + " cell " + std::to_string(cell), report);
             if (cell == 8) compare_weights(figure, mesh, quadruped, report);

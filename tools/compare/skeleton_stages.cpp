@@ -7,6 +7,7 @@
 
 #include "pantin/geometry.hpp"
 #include "pantin/image.hpp"
+#include "settings.hpp"
 
 namespace pantin::compare {
 namespace {
@@ -58,7 +59,7 @@ void contour_stage(const Figure& figure, Report& report) {
 }
 
 void whole_mask_stage(const Figure& figure, Report& report) {
-    const Mask thinned = zhang_suen(figure.mask);
+    const Mask thinned = zhang_suen(figure.mask, ThinningStop::both);
     const auto& stored = figure.stored.at("zs_whole_mask");
     long count = 0;
     for (const auto pixel : thinned) count += pixel;
@@ -129,11 +130,7 @@ void residual_stages(const Figure& figure, Residual residual, const std::string&
     const Mask zs = mask_from_pixels(stored.at("zs"), width, height);
     const Mask thin = mask_from_pixels(stored.at("thin"), width, height);
 
-    SkeletonizationOptions options;
-    options.residual = residual;
-    options.fill_holes_share = 1;
-    options.recover_parts_share = 0;
-    options.cut_cycles = false;
+    const SkeletonizationOptions options = skeleton_settings(residual);
     const Skeletonization whole = skeletonize(figure.near, options);
     const int far = far_pixels(whole.voronoi_raster, vor) + far_pixels(vor, whole.voronoi_raster);
     report.add("Voronoi raster, pixels off by more than one", far == 0, far, where);
@@ -144,7 +141,7 @@ void residual_stages(const Figure& figure, Residual residual, const std::string&
                    0.02 * stored.at("vor_count").get<double>(),
                differing_pixels(whole.voronoi_raster, vor), where);
 
-    const int zs_pixels = differing_pixels(zhang_suen(vor), zs);
+    const int zs_pixels = differing_pixels(zhang_suen(vor, ThinningStop::both), zs);
     report.add("Zhang-Suen of the stored raster", zs_pixels == 0, zs_pixels, where);
     const int thin_pixels = differing_pixels(remove_redundant_pixels(zs), thin);
     report.add("redundant pixels removed", thin_pixels == 0, thin_pixels, where);
