@@ -39,7 +39,7 @@ struct Options {
     AnimationOptions animation;
 };
 
-// "default" (what gives the best results) or "thesis" (the thesis to the letter where it can be, with its
+// "default" (what gives the best results) or "thesis" (the thesis as printed where it can be, with its
 // errata applied; each value's source stands beside it in options.cpp). Error(usage) for another name.
 Options make_preset(std::string_view name);
 // Sets the options that a JSON file names, as `{"skeletonization": {"residual_threshold": 20}}` or as

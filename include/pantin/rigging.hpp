@@ -167,7 +167,7 @@ enum class WeightEnds { mapped, all };
 struct RigOptions {
     MappingOptions mapping;
     MeshOptions mesh;
-    bool thesis_weights = false;                 // Algorithm 4.4 to the letter, one bone per end-effector
+    bool thesis_weights = false;                 // Algorithm 4.4, one bone per end-effector
     WeightEnds weight_ends = WeightEnds::mapped; // of `thesis_weights`; `thesis`: all
     int limb_segments = 2; // bones per limb, wing or tail (1 to 4), a short one has 1; `thesis`: 1
 };
