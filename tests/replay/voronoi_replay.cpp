@@ -224,6 +224,9 @@ bool covers(const Mask& large, const Mask& small) {
 void replay_voronoi(const Stored& s, Tally& tally) {
     const Borders borders = walk(s);
     const std::vector<StoredEdge> edges = stored_edges(s);
+    const auto known = [&](const StoredEdge& e) { return e.a >= 0 && e.b < std::ssize(borders.sites); };
+    if (!std::all_of(edges.begin(), edges.end(), known))
+        return tally.add("Voronoi diagram", false, "unknown site");
     tally.add("Voronoi diagram", same_diagram(s, borders, edges));
     bool residuals = true;
     for (const StoredEdge& e : edges) {
