@@ -75,7 +75,7 @@ bool ilp_available();
 // The same distance by the integer linear program of the thesis, solved by GLPK; arguments and unit as of
 // geometric_graph_distance. `optimal` is false, and the matching the best so far (the empty one, if there is
 // none), where the iterations ended before the distance was known to within the gap. Error(usage) without
-// GLPK, Error(internal) when it fails. Thesis Eq. 4.3 to 4.7 (ERRATA 12, 31).
+// GLPK, Error(internal) when it fails. Thesis Eq. 4.3 to 4.7 (ERRATA 12, 48).
 GgdResult geometric_graph_distance_ilp(const LabelledGraph& a, const LabelledGraph& b,
                                        const GgdOptions& options, IlpFormulation formulation,
                                        const IlpLimits& limits = exact_ilp);

@@ -33,6 +33,9 @@ RgbImage composite_on_white(const RgbaImage& image);
 RgbImage turned(RgbImage image, int degrees);
 GreyImage turned(GreyImage image, int degrees);
 RgbaImage turned(RgbaImage image, int degrees);
+// Light for dark: 255 − each value. No error. Own.
+RgbImage inverted(RgbImage image);
+GreyImage inverted(GreyImage image);
 // Loads a grey PNG that the pipeline wrote (mask, labels, skeleton), any size, values as stored; an editor
 // may have saved it with colour channels or a palette as long as every pixel is grey; fully transparent
 // pixels count as 0. Error(input) names the file. Own.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <compare>
+#include <cstdint>
 
 namespace pantin {
 
@@ -49,6 +50,7 @@ inline double distance(Vec3 a, Vec3 b) { return length(a - b); }
 // An axis-aligned rectangle of pixels: columns x … x+width−1, rows y … y+height−1.
 struct Box {
     int x = 0, y = 0, width = 0, height = 0;
+    std::int64_t area() const { return std::int64_t{width} * height; }
     bool operator==(const Box&) const = default;
 };
 

@@ -114,7 +114,8 @@ ReferenceSkeleton parse_reference(std::span<const unsigned char> json, const std
 // The compiled-in references (the folder references/), by their order: humanoid, quadruped, flying, bird,
 // insect, fish, bust; those of `directory`, when not empty, replace the ones of their name or follow.
 // Error(input) names the file.
-std::vector<ReferenceSkeleton> load_references(const std::filesystem::path& directory = {});
+std::vector<ReferenceSkeleton> load_references(const std::filesystem::path& directory = {},
+                                               ClipSet clips = ClipSet::standard);
 
 // The reference of that name. Error(input) lists the names that there are.
 const ReferenceSkeleton& find_reference(const std::vector<ReferenceSkeleton>& references,

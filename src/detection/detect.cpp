@@ -168,17 +168,10 @@ bool reads_before(const DetectedCharacter& a, const DetectedCharacter& b) {
 std::vector<int> largest_groups(const Grouping& grouping, int count) {
     std::vector<int> order(grouping.boxes.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-    const auto area = [&](int i) { return std::int64_t{grouping.boxes[i].width} * grouping.boxes[i].height; };
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return area(a) > area(b); });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return grouping.boxes[a].area() > grouping.boxes[b].area(); });
     if (order.size() > static_cast<std::size_t>(count)) order.resize(static_cast<std::size_t>(count));
     return order;
-}
-
-RgbImage inverted(RgbImage page) {
-    for (Rgb8& p : page)
-        p = {static_cast<std::uint8_t>(255 - p.r), static_cast<std::uint8_t>(255 - p.g),
-             static_cast<std::uint8_t>(255 - p.b)};
-    return page;
 }
 
 // What the network finds on the page; nothing without one.
@@ -277,11 +270,11 @@ Grid<float> darkness_near(const RgbImage& page, const PageInk& page_ink, const M
 
 // Eyes, buttons, a child's face: what lies inside a larger character is a part of it.
 void drop_inside(std::vector<DetectedCharacter>& characters, double inside_share) {
-    const auto area = [](const DetectedCharacter& c) { return std::int64_t{c.box.width} * c.box.height; };
     std::vector<char> inside(characters.size(), 0);
     for (std::size_t i = 0; i < characters.size(); ++i)
         inside[i] = std::any_of(characters.begin(), characters.end(), [&](const DetectedCharacter& whole) {
-            return area(whole) > area(characters[i]) && share_inside(characters[i], whole) >= inside_share;
+            return whole.box.area() > characters[i].box.area() &&
+                   share_inside(characters[i], whole) >= inside_share;
         });
     std::vector<DetectedCharacter> kept;
     for (std::size_t i = 0; i < characters.size(); ++i)

@@ -2,7 +2,6 @@
 #include "detection/joining.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -27,8 +26,6 @@ std::map<std::pair<int, int>, int> count_contacts(const Grid<int>& groups) {
     return contacts;
 }
 
-std::int64_t area_of(const Box& box) { return std::int64_t{box.width} * box.height; }
-
 Box united(const Box& a, const Box& b) {
     const int left = std::min(a.x, b.x), top = std::min(a.y, b.y);
     return {left, top, std::max(a.x + a.width, b.x + b.width) - left,
@@ -41,7 +38,7 @@ double share_inside(const Box& part, const Box& whole) {
     const int height = std::min(part.y + part.height, whole.y + whole.height) - std::max(part.y, whole.y);
     return width <= 0 || height <= 0
                ? 0
-               : static_cast<double>(std::int64_t{width} * height) / static_cast<double>(area_of(part));
+               : static_cast<double>(Box{0, 0, width, height}.area()) / static_cast<double>(part.area());
 }
 
 // Per group, the group that it belongs to: itself, or the whole whose part it is.
@@ -53,8 +50,8 @@ std::vector<std::size_t> find_wholes(const Grouping& grouping, const DetectionOp
     std::vector<int> most(boxes.size(), 0);
     for (const auto& [pair, pixels] : contacts) {
         auto part = static_cast<std::size_t>(pair.first), other = static_cast<std::size_t>(pair.second);
-        if (area_of(boxes[part]) == area_of(boxes[other])) continue;
-        if (area_of(boxes[part]) > area_of(boxes[other])) std::swap(part, other);
+        if (boxes[part].area() == boxes[other].area()) continue;
+        if (boxes[part].area() > boxes[other].area()) std::swap(part, other);
         if (grouping.scores[part] >= options.part_score || pixels <= most[part] ||
             share_inside(boxes[part], boxes[other]) < options.part_overlap)
             continue;

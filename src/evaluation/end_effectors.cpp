@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "image/label_map.hpp"
 #include "pantin/image.hpp"
 
 namespace pantin {
@@ -20,10 +21,7 @@ struct Pieces {
 };
 
 Pieces pieces_of(const LabelMap& labels, Label label, double area) {
-    Mask part(labels.width(), labels.height());
-    std::transform(labels.begin(), labels.end(), part.begin(),
-                   [&](std::uint8_t v) -> std::uint8_t { return v == static_cast<int>(label); });
-    Pieces pieces{connected_components(part), {}};
+    Pieces pieces{connected_components(part_mask(labels, {label})), {}};
     for (const Component& piece : pieces.components.list)
         if (piece.area >= least_piece * area) pieces.ids.push_back(piece.id);
     return pieces;

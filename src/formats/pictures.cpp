@@ -17,11 +17,6 @@ std::string size_text(int width, int height) { return std::to_string(width) + "Ã
 
 RgbImage read_drawing(const fs::path& folder) { return load_image(folder / file_names::drawing, 1); }
 
-GreyImage inverted(GreyImage image) {
-    for (std::uint8_t& pixel : image) pixel = static_cast<std::uint8_t>(255 - pixel);
-    return image;
-}
-
 GreyImage read_ink(const fs::path& folder, const RgbImage& drawing) {
     const fs::path file = folder / file_names::ink;
     std::error_code ignored;

@@ -24,8 +24,6 @@ void check_labels(const LabelMap& labels, const std::filesystem::path& file);
 [[noreturn]] void fail_size(const std::filesystem::path& file, int width, int height,
                             const std::string& other, int other_width, int other_height);
 
-// Ink is dark on white in files.
-GreyImage inverted(GreyImage image);
 // Masks have 0 and 255 in files.
 GreyImage to_grey(const Mask& mask);
 

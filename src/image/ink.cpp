@@ -31,13 +31,6 @@ constexpr float blur_contrast = 2;            // an edge at half of what is near
 constexpr int blur_reach = 2;                 // … within so many pixels
 constexpr float opaque_darkness = dark_pixel; // least of what is opaque on a page without paper
 
-RgbImage inverted(RgbImage page) {
-    for (Rgb8& p : page)
-        p = {static_cast<std::uint8_t>(255 - p.r), static_cast<std::uint8_t>(255 - p.g),
-             static_cast<std::uint8_t>(255 - p.b)};
-    return page;
-}
-
 std::array<float, 3> channels(Rgb8 p) {
     return {static_cast<float>(p.r), static_cast<float>(p.g), static_cast<float>(p.b)};
 }

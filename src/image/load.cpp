@@ -162,6 +162,17 @@ RgbImage turned(RgbImage image, int degrees) {
 GreyImage turned(GreyImage image, int degrees) {
     return apply_orientation(std::move(image), orientation_of(degrees));
 }
+RgbImage inverted(RgbImage image) {
+    for (Rgb8& p : image)
+        p = {static_cast<std::uint8_t>(255 - p.r), static_cast<std::uint8_t>(255 - p.g),
+             static_cast<std::uint8_t>(255 - p.b)};
+    return image;
+}
+GreyImage inverted(GreyImage image) {
+    for (std::uint8_t& value : image) value = static_cast<std::uint8_t>(255 - value);
+    return image;
+}
+
 RgbaImage turned(RgbaImage image, int degrees) {
     return apply_orientation(std::move(image), orientation_of(degrees));
 }

@@ -15,13 +15,6 @@ namespace {
 
 constexpr double least_fall = 0.04;
 
-RgbImage inverted(RgbImage page) {
-    for (Rgb8& p : page)
-        p = {static_cast<std::uint8_t>(255 - p.r), static_cast<std::uint8_t>(255 - p.g),
-             static_cast<std::uint8_t>(255 - p.b)};
-    return page;
-}
-
 float percentile(std::vector<float>& values, std::size_t percent) {
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(percent * (values.size() - 1) / 100);
     std::nth_element(values.begin(), place, values.end());

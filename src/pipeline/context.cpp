@@ -51,11 +51,7 @@ void Context::prepare() {
 }
 
 const std::vector<ReferenceSkeleton>& Context::references() {
-    if (!references_) {
-        references_ = load_references(settings_.references);
-        if (options_.animation.clips == ClipSet::thesis)
-            for (ReferenceSkeleton& reference : *references_) reference.clips = thesis_clips(reference);
-    }
+    if (!references_) references_ = load_references(settings_.references, options_.animation.clips);
     return *references_;
 }
 

@@ -62,9 +62,7 @@ DetectedCharacter character_in(const PagePicture& page, const Mask& opaque, Cont
         Detection detection = detect(page.picture, page.ink, options, finder);
         DetectedCharacter* best = nullptr;
         for (DetectedCharacter& c : detection.characters)
-            if (!best || static_cast<long>(c.box.width) * c.box.height >
-                             static_cast<long>(best->box.width) * best->box.height)
-                best = &c;
+            if (!best || c.box.area() > best->box.area()) best = &c;
         long inside = 0;
         for (int y = 0; best && y < best->box.height; ++y)
             for (int x = 0; x < best->box.width; ++x)

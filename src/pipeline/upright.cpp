@@ -15,10 +15,8 @@ constexpr double floor = 0.001;  // no character says more against a turn
 std::vector<const DetectedCharacter*> largest_of(const std::vector<DetectedCharacter>& characters) {
     std::vector<const DetectedCharacter*> result;
     for (const DetectedCharacter& character : characters) result.push_back(&character);
-    std::stable_sort(result.begin(), result.end(), [](const auto* a, const auto* b) {
-        return static_cast<long>(a->box.width) * a->box.height >
-               static_cast<long>(b->box.width) * b->box.height;
-    });
+    std::stable_sort(result.begin(), result.end(),
+                     [](const auto* a, const auto* b) { return a->box.area() > b->box.area(); });
     if (result.size() > asked) result.resize(asked);
     return result;
 }

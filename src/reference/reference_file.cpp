@@ -233,16 +233,18 @@ ReferenceSkeleton parse_reference(std::span<const unsigned char> bytes, const st
     return read_skeleton(JsonReader(document, source));
 }
 
-std::vector<ReferenceSkeleton> load_references(const std::filesystem::path& directory) {
+std::vector<ReferenceSkeleton> load_references(const std::filesystem::path& directory, ClipSet clips) {
     std::vector<ReferenceSkeleton> all = compiled_in();
-    if (directory.empty()) return all;
-    for (ReferenceSkeleton& skeleton : in_folder(directory)) {
-        const int known = index_of(all, skeleton.name);
-        if (known >= 0)
-            all[known] = std::move(skeleton);
-        else
-            all.push_back(std::move(skeleton));
-    }
+    if (!directory.empty())
+        for (ReferenceSkeleton& skeleton : in_folder(directory)) {
+            const int known = index_of(all, skeleton.name);
+            if (known >= 0)
+                all[known] = std::move(skeleton);
+            else
+                all.push_back(std::move(skeleton));
+        }
+    if (clips == ClipSet::thesis)
+        for (ReferenceSkeleton& reference : all) reference.clips = thesis_clips(reference);
     return all;
 }
 

@@ -17,10 +17,8 @@
 namespace pantin {
 namespace {
 
-using network::Tensor;
-
-constexpr std::size_t turns = 4;
-using Scores = std::array<double, turns>;
+using Scores = TurnProbabilities::value_type;
+constexpr std::size_t turns = std::tuple_size_v<Scores>;
 
 // Fitted by logistic regression on the drawings of fold 0, five folds (weights/README.md).
 constexpr double head_weight = 1.1, confidence_weight = 15;
@@ -36,30 +34,21 @@ Scores softmax(const Scores& scores) {
     return result;
 }
 
-// [1, 1, side, side] turned clockwise by a quarter.
-Tensor quarter_turned(const Tensor& ink) {
-    const int side = ink.width();
-    Tensor result = Tensor::uninitialised(1, 1, side, side);
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) result(0, 0, x, side - 1 - y) = ink(0, 0, y, x);
-    return result;
-}
-
 } // namespace
 
 TurnProbabilities Segmenter::find_turn(const GreyImage& drawn, const SegmentationOptions& options) const {
     if (drawn.empty()) throw Error(ErrorKind::internal, "segmentation: the crop is empty");
     const segmentation::SegmentationNetwork& net = *model_->network;
     const network::Runtime runtime(options.threads);
-    Tensor ink =
-        segmentation::to_input(darkness_of(drawn), net.input, options.grey_erosion == GreyErosion::always);
     Scores sum{};
     for (std::size_t shown = 0; shown < turns; ++shown) {
-        const auto encoded = net.encode(ink, runtime);
+        const auto encoded =
+            net.encode(segmentation::to_input(darkness_of(turned(drawn, 90 * static_cast<int>(shown))),
+                                              net.input, options.grey_erosion == GreyErosion::always),
+                       runtime);
         if (encoded->turn.size() != turns) return std::nullopt;
-        Scores more;
-        std::copy(encoded->turn.begin(), encoded->turn.end(), more.begin());
-        const Scores said = softmax(more);
+        Scores said;
+        std::copy(encoded->turn.begin(), encoded->turn.end(), said.begin());
         if (shown == 0 && said[0] >= surely_upright) return said;
         // Shown after `shown` turns, k − shown more bring it upright when k do.
         for (std::size_t k = 0; k < turns; ++k)
@@ -67,7 +56,6 @@ TurnProbabilities Segmenter::find_turn(const GreyImage& drawn, const Segmentatio
         sum[shown] += confidence_weight *
                       segmentation::confidence_of(
                           encoded->decode(segmentation::most_probable(encoded->router), runtime).parts);
-        ink = quarter_turned(ink);
     }
     return softmax(sum);
 }

@@ -35,7 +35,7 @@ public:
 
     Tensor router; // probabilities of the experts, [1, experts, 1, 1]
     Tensor type;   // probabilities [1, 4, 1, 1], in the order of type_names; empty without a type head
-    Tensor turn; // scores of the quarter turns clockwise that bring the input upright, [1, 4, 1, 1]; or empty
+    Tensor turn; // probabilities of the quarter turns clockwise that bring it upright, [1, 4, 1, 1]; or empty
 };
 
 struct NetworkResult {

@@ -83,18 +83,11 @@ std::string digest_of(const Files& files) {
     return digest.text();
 }
 
-std::vector<ReferenceSkeleton> references_of(const Options& options) {
-    std::vector<ReferenceSkeleton> references = load_references();
-    if (options.animation.clips == ClipSet::thesis)
-        for (ReferenceSkeleton& reference : references) reference.clips = thesis_clips(reference);
-    return references;
-}
-
 class Verifier {
 public:
     explicit Verifier(const VerificationSettings& settings)
         : settings_(settings), drawings_(verified_drawings(settings.preset)),
-          references_(references_of(settings.options)), stored_(stored_vectors()) {}
+          references_(load_references({}, settings.options.animation.clips)), stored_(stored_vectors()) {}
 
     Verification run() {
         for (const VerifiedDrawing& drawing : drawings_) result_.drawings.push_back(drawing.name);

@@ -22,10 +22,6 @@ Grouping boxes_on(int width, int height, const std::vector<Box>& boxes) {
     return grouping;
 }
 
-bool same_box(const Box& a, const Box& b) {
-    return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
-}
-
 } // namespace
 
 TEST_CASE("What touches a larger group within its reach and has a low score joins it") {
@@ -36,8 +32,8 @@ TEST_CASE("What touches a larger group within its reach and has a low score join
     page.scores = {0.7, 0.6, 0.5};
     const Grouping joined = join_pieces(page, {});
     REQUIRE(joined.boxes.size() == 2);
-    CHECK(same_box(joined.boxes[0], {4, 6, 14, 18}));
-    CHECK(same_box(joined.boxes[1], {19, 20, 3, 3}));
+    CHECK((joined.boxes[0] == Box{4, 6, 14, 18}));
+    CHECK((joined.boxes[1] == Box{19, 20, 3, 3}));
     CHECK((joined.scores == std::vector<double>{0.6, 0.5}));
     CHECK((joined.detections == std::vector<int>{1, 2}));
     CHECK(joined.groups(4, 10) == 1);
@@ -64,7 +60,7 @@ TEST_CASE("A part of a part belongs to the whole, and to the one that it touches
     chain.boxes = {{0, 0, 2, 2}, {0, 0, 7, 7}, {0, 0, 27, 10}};
     const Grouping whole = join_pieces(chain, {});
     REQUIRE(whole.boxes.size() == 1);
-    CHECK(same_box(whole.boxes[0], {0, 0, 27, 10}));
+    CHECK((whole.boxes[0] == Box{0, 0, 27, 10}));
     CHECK(whole.scores == std::vector<double>{chain.scores[2]});
 
     // Between two figures: with one it has a side in common, with the other a corner.

@@ -28,6 +28,13 @@ RgbImage random_drawing(Random& random, int width, int height) {
     return drawing;
 }
 
+Mask mask_with_a_hole() {
+    Mask mask(90, 60);
+    for (int y = 3; y < 57; ++y)
+        for (int x = 5; x < 85; ++x) mask(x, y) = (x - 45) * (x - 45) + (y - 30) * (y - 30) > 60;
+    return mask;
+}
+
 } // namespace
 
 TEST_CASE("Segmentation gives a label to every silhouette pixel, probabilities of the crop and distributions "
@@ -61,10 +68,7 @@ TEST_CASE("Segmentation gives a label to every silhouette pixel, probabilities o
 TEST_CASE("An exact mask is the silhouette to the pixel") {
     Random random(7);
     const RgbImage drawing = random_drawing(random, 90, 60);
-    Mask mask(90, 60);
-    for (int y = 3; y < 57; ++y)
-        for (int x = 5; x < 85; ++x)
-            mask(x, y) = (x - 45) * (x - 45) + (y - 30) * (y - 30) > 60; // with a hole
+    const Mask mask = mask_with_a_hole();
     const Segmentation result = tiny().segment(ink_of_crop(ink_darkness(drawing)), mask, {}, true);
     CHECK(foreground(result.labels) == mask);
 }
@@ -72,10 +76,7 @@ TEST_CASE("An exact mask is the silhouette to the pixel") {
 TEST_CASE("Without refinement the detector's mask is the silhouette to the pixel, as an exact one is") {
     Random random(7);
     const RgbImage drawing = random_drawing(random, 90, 60);
-    Mask mask(90, 60);
-    for (int y = 3; y < 57; ++y)
-        for (int x = 5; x < 85; ++x)
-            mask(x, y) = (x - 45) * (x - 45) + (y - 30) * (y - 30) > 60; // with a hole
+    const Mask mask = mask_with_a_hole();
     const GreyImage ink = ink_of_crop(ink_darkness(drawing));
     CHECK_FALSE(foreground(tiny().segment(ink, mask).labels) == mask);
     SegmentationOptions options;

@@ -83,7 +83,7 @@ def fixture(weights, expected):
     facts = metadata(model)
     write_safetensors(weights, tensors_of(model, "F32"), facts)
     answers = {"input": ink, "router": router.softmax(1), "pose": pose.softmax(1), "type": kind.softmax(1),
-               "turn": turn}
+               "turn": turn.softmax(1)}
     for name in EXPERTS:
         answers[f"probabilities.{name}"] = parts[name].softmax(1)
     write_safetensors(expected, {k: v.numpy().astype(np.float32) for k, v in answers.items()}, facts)

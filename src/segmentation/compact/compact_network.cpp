@@ -26,13 +26,9 @@ Tensor Router::forward(const Features& features, const Runtime& runtime) const {
     return network::softmax(linear.forward(pooled(features.stages.back()), runtime), runtime);
 }
 
-Tensor TypeHead::forward(const Features& features, const Runtime& runtime) const {
+Tensor PooledHead::forward(const Features& features, const Runtime& runtime) const {
     const Tensor x = conv.forward(features.stages.back(), runtime);
     return network::softmax(linear.forward(pooled(x), runtime), runtime);
-}
-
-Tensor TurnHead::forward(const Features& features, const Runtime& runtime) const {
-    return linear.forward(pooled(conv.forward(features.stages.back(), runtime)), runtime);
 }
 
 Tensor PoseHead::forward(const Features& features, const Runtime& runtime) const {

@@ -51,18 +51,11 @@ struct PoseHead {
     Tensor forward(const Features& features, const Runtime& runtime) const; // probabilities, [8, 1, 1]
 };
 
-// How the character moves (type_names).
-struct TypeHead {
+// Of mean and maximum of what a block sees.
+struct PooledHead {
     Block conv;                                                             // 112 → 64, 8×8
     network::Linear linear;                                                 // 128 → 4
     Tensor forward(const Features& features, const Runtime& runtime) const; // probabilities, [4, 1, 1]
-};
-
-// How many quarter turns clockwise bring the drawing upright.
-struct TurnHead {
-    Block conv;                                                             // 112 → 64, 8×8
-    network::Linear linear;                                                 // 128 → 4
-    Tensor forward(const Features& features, const Runtime& runtime) const; // scores, [4, 1, 1]
 };
 
 struct Expert {
@@ -81,8 +74,9 @@ struct Network : segmentation::SegmentationNetwork {
     Stem stem;
     std::optional<Router> router;
     std::optional<PoseHead> pose;
-    std::optional<TypeHead> type; // older files have none of these two
-    std::optional<TurnHead> turn;
+    // How the character moves (type_names), and how many quarter turns clockwise bring it upright; older
+    // files have none of these two.
+    std::optional<PooledHead> type, turn;
     std::vector<Expert> experts;
 
     std::unique_ptr<segmentation::EncodedInput> encode(const Tensor& ink,

@@ -18,7 +18,7 @@ constexpr int max_width = 4096; // channels of a layer
 constexpr int max_input = 2048; // side of the input
 constexpr int max_blocks = 64;  // of a stage, and their dilations
 constexpr int halvings = 1 << stages;
-constexpr int quarter_turns = 4;
+constexpr std::size_t quarter_turns = std::tuple_size_v<TurnProbabilities::value_type>;
 
 template <class Names> std::string joined(const Names& names) {
     std::string text;
@@ -74,6 +74,13 @@ struct Layout {
     std::vector<int> contexts; // dilations of the experts' blocks on the coarsest stage
     std::vector<int> refine;   // number of blocks after each decoder stage
 };
+
+PooledHead read_pooled_head(const WeightFile& file, const std::string& name, const Layout& layout,
+                            std::size_t outputs) {
+    const int in = layout.widths.back(), width = layout.decoder[0];
+    return {{read_convolution(file, name + ".conv", {.in = in, .out = width, .stride = 2})},
+            read_linear(file, name + ".linear", 2 * width, static_cast<int>(outputs))};
+}
 
 Expert read_expert(const WeightFile& file, const std::string& name, const Layout& layout) {
     network::ConvolutionOptions doubling;
@@ -136,17 +143,11 @@ std::unique_ptr<segmentation::SegmentationNetwork> load_network(const WeightFile
                  read_linear(file, "pose.linear", layout.decoder[0], static_cast<int>(pose_names.size()))});
     if (file.has_metadata("types")) {
         expect(file, "types", joined(type_names));
-        const int width = layout.decoder[0];
-        net.type.emplace(
-            TypeHead{{read_convolution(file, "kind.conv", {.in = in, .out = width, .stride = 2})},
-                     read_linear(file, "kind.linear", 2 * width, static_cast<int>(type_names.size()))});
+        net.type = read_pooled_head(file, "kind", layout, type_names.size());
     }
     if (file.has_metadata("turns")) {
         expect(file, "turns", "0,90,180,270");
-        const int width = layout.decoder[0];
-        net.turn.emplace(
-            TurnHead{{read_convolution(file, "turn.conv", {.in = in, .out = width, .stride = 2})},
-                     read_linear(file, "turn.linear", 2 * width, quarter_turns)});
+        net.turn = read_pooled_head(file, "turn", layout, quarter_turns);
     }
     for (const std::string& name : net.expert_names)
         net.experts.push_back(read_expert(file, "experts." + name, layout));
