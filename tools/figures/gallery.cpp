@@ -5,8 +5,28 @@
 #include <algorithm>
 
 #include "pantin/image.hpp"
+#include "pipeline/segmentation_options.hpp"
 
 namespace pantin::figures {
+
+namespace {
+
+Options options_of(const std::string& preset) {
+    Options options = make_preset(preset);
+    options.identification.solver = GgdSolver::branch_and_bound; // builds without GLPK draw the same
+    return options;
+}
+
+// The steps from skeletonization on. `seen`: what the network says of the type.
+void finish(Run& run, const Options& options, const std::vector<ReferenceSkeleton>& references,
+            const TypeProbabilities& seen) {
+    run.skeleton = skeletonize(run.labels(), options.skeletonization);
+    run.identification = identify(run.skeleton.graph, run.labels(), references, options.identification, seen);
+    run.rig = rig(run.skeleton.graph, run.labels(), run.identification, references, options.rigging);
+    run.reference = &find_reference(references, run.identification.reference);
+}
+
+} // namespace
 
 const Candidate& Run::candidate() const {
     return *std::find_if(identification.candidates.begin(), identification.candidates.end(),
@@ -46,14 +66,33 @@ const Run& Gallery::run(const std::string& file, std::size_t index, const std::s
     const auto [it, is_new] = runs_.try_emplace(file + " " + std::to_string(index) + " " + preset);
     Run& run = it->second;
     if (is_new) {
-        Options options = make_preset(preset);
-        options.identification.solver = GgdSolver::branch_and_bound; // builds without GLPK draw the same
         run = segmented(file, index);
-        run.skeleton = skeletonize(run.labels(), options.skeletonization);
-        run.identification = identify(run.skeleton.graph, run.labels(), references_, options.identification);
-        run.rig = rig(run.skeleton.graph, run.labels(), run.identification, references_, options.rigging);
-        run.reference = &reference(run.identification.reference);
+        finish(run, options_of(preset), references_, {});
     }
+    return run;
+}
+
+const std::vector<ReferenceSkeleton>& Gallery::references_of(const std::string& preset) const {
+    return preset == "thesis" ? thesis_references_ : references_;
+}
+
+Run Gallery::whole_run(const RgbImage& picture, const std::string& preset) {
+    const Options options = options_of(preset);
+    Run run;
+    const auto size = [](const DetectedCharacter& c) { return std::max(c.box.width, c.box.height); };
+    std::vector<DetectedCharacter> found = detect(picture, options.detection, &networks_.finder()).characters;
+    run.detected = std::move(*std::max_element(
+        found.begin(), found.end(), [&](const auto& a, const auto& b) { return size(a) < size(b); }));
+    run.segmentation =
+        networks_.segmenter().segment(run.detected.ink, run.detected.mask,
+                                      segmentation_options(run.detected.drawing, options.segmentation));
+    finish(run, options, references_of(preset), run.segmentation.type);
+    return run;
+}
+
+Run Gallery::with_labels(Run run, const LabelMap& labels, const std::string& preset) const {
+    run.segmentation.labels = labels;
+    finish(run, options_of(preset), references_of(preset), run.segmentation.type);
     return run;
 }
 

@@ -25,7 +25,9 @@ struct Run {
 
 class Gallery {
 public:
-    explicit Gallery(std::string folder) : folder_(std::move(folder)), references_(load_references()) {}
+    explicit Gallery(std::string folder)
+        : folder_(std::move(folder)), references_(load_references()),
+          thesis_references_(load_references({}, ClipSet::thesis)) {}
 
     Networks& networks() { return networks_; }
     const std::vector<ReferenceSkeleton>& references() const { return references_; }
@@ -41,12 +43,19 @@ public:
     // A label map of the folder.
     LabelMap labels(const std::string& file) const;
 
+    // The largest character of a picture through all steps of the preset, detection and segmentation too, as
+    // `pantin animate --preset` takes them; clips are the preset's.
+    Run whole_run(const RgbImage& picture, const std::string& preset);
+    // The steps after segmentation anew, for parts that were corrected by hand.
+    Run with_labels(Run run, const LabelMap& labels, const std::string& preset) const;
+
 private:
     const Run& segmented(const std::string& file, std::size_t index);
+    const std::vector<ReferenceSkeleton>& references_of(const std::string& preset) const;
 
     std::string folder_;
     Networks networks_;
-    std::vector<ReferenceSkeleton> references_;
+    std::vector<ReferenceSkeleton> references_, thesis_references_; // these with the clips of thesis 6.1
     std::map<std::string, RgbImage> pages_;
     std::map<std::string, Detection> detections_;
     std::map<std::string, Run> segmented_, runs_;
