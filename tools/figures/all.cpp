@@ -9,7 +9,7 @@ std::vector<Figure> all_figures(const std::string& testdata) {
     std::vector<Figure> all;
     for (const auto group : {network_figures, voronoi_figures, pipeline_figures, detection_figures,
                              thinning_figures, graph_figures, identification_figures, path_figures,
-                             mapping_figures, mesh_figures, animation_figures, failure_figures})
+                             mapping_figures, mesh_figures, animation_figures, failure_figures, dog_figures})
         for (Figure& figure : group(gallery)) all.push_back(std::move(figure));
     return all;
 }

@@ -25,7 +25,8 @@ std::vector<Figure> path_figures(Gallery& gallery);           // 4.14, 4.15, Eq.
 std::vector<Figure> mapping_figures(Gallery& gallery);        // Eq. 4.12, Eq. 4.14, 4.16
 std::vector<Figure> mesh_figures(Gallery& gallery);           // 4.17, 4.18
 std::vector<Figure> animation_figures(Gallery& gallery);      // Algorithm 4.4, 4.19
-std::vector<Figure> failure_figures(Gallery& gallery);        // 6.7 to 6.10, table 6.1
+std::vector<Figure> failure_figures(Gallery& gallery);        // 6.7, 6.8, 6.10
+std::vector<Figure> dog_figures(Gallery& gallery);            // 6.9, table 6.1
 
 // All of them, in the order of the thesis, from the drawings of the folder.
 std::vector<Figure> all_figures(const std::string& testdata);
