@@ -36,8 +36,8 @@ Figure stick_figure(Gallery& gallery) {
     for (int i = 0; i < 2; ++i) {
         const Run run = gallery.whole_run(picture, presets[i]);
         draw_preset_row(sheet, i, run);
-        here += (i ? "; " : "") + of_preset(i, run.identification.reference) +
-                ", limbs from top to bottom → " + partners_of(run, Label::limb);
+        here += (i ? "; " : "") + of_preset(i, run.identification.reference) + ", limbs → " +
+                partners_of(run, Label::limb);
     }
     head_lines(sheet.svg(),
                "no failure: a stick figure is identified as a humanoid, and its ends are mapped rightly.",
