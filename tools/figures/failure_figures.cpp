@@ -41,7 +41,7 @@ Figure stick_figure(Gallery& gallery) {
     }
     head_lines(sheet.svg(),
                "no failure: a stick figure is identified as a humanoid, and its ends are mapped rightly.",
-               here);
+               here + " (from top to bottom)");
     return {"fig-6.8-stick-figure.svg", sheet.svg().document("A stick figure, with both presets")};
 }
 
