@@ -14,7 +14,7 @@ from torch import nn
 
 import backbones
 import integers
-from model import EXPERTS, double
+from model import double
 
 NORM_EPSILON = 1e-5
 LEVEL = "level"                  # the key of the pyramid's levels, which share a scale: the heads see all of them
@@ -212,10 +212,10 @@ class Emulated:
             self.trace[name if times == 0 else f"{name}#{times + 1}"] = values.numpy()
 
     def value(self, data, key):
-        return data.double()
+        return data
 
     def input(self, x):
-        result = torch.floor(integers.BYTE * x + 0.5).clamp(0, integers.BYTE).double()
+        result = torch.floor(integers.BYTE * x + 0.5).clamp(0, integers.BYTE)
         self.note("bytes.input", result.to(torch.uint8))
         return result
 
@@ -227,7 +227,7 @@ class Emulated:
 
     def head(self, name, x):
         weight, bias = self.heads[name]
-        return F.linear(pooled(x.float(), weight.shape[1]), weight, bias)
+        return F.linear(pooled(x, weight.shape[1]), weight, bias)
 
     def double(self, x):
         """(9a + 3b + 3c + d + 8) >> 4, a the nearest pixel; along one axis 3·near + far, pixels outside as the border's."""
@@ -249,13 +249,25 @@ class Emulated:
         return x[:, :, ::2, ::2]
 
     def tensor(self, x):
-        return x.float()
+        return x
 
     def pool_regions(self, pool, levels, boxes, shapes):
         """means of bilinear samples in float32, rounded to bytes; samples outside the page are the zero."""
         zero = self.layers["rpn.head.conv.0.0"].zero
         means = pool(collections.OrderedDict((name, level - zero) for name, level in levels.items()), boxes, shapes)
         return torch.floor(means + zero + 0.5).clamp(0, integers.BYTE)
+
+
+class Decoded(dict):
+    """what the experts say; each is run when it is asked."""
+
+    def __init__(self, decode):
+        super().__init__()
+        self.decode = decode
+
+    def __missing__(self, name):
+        self[name] = self.decode(name)
+        return self[name]
 
 
 class IntegerSegmenter:
@@ -265,11 +277,10 @@ class IntegerSegmenter:
         self.run, self.size = Emulated(tensors, trace), int(facts["input"])
         self.contexts, self.refine = (tuple(map(int, facts[key].split(","))) for key in ("contexts", "refine"))
 
-    @torch.no_grad()
     def __call__(self, ink):
         features = stem(self.run, ink)
         self.heads = segmenter_heads(self.run, features[3])
-        parts = {name: expert(self.run, name, features, self.contexts, self.refine) for name in EXPERTS}
+        parts = Decoded(lambda name: expert(self.run, name, features, self.contexts, self.refine))
         return parts, self.heads["router"], self.heads["pose"], self.heads["kind"]
 
 

@@ -23,7 +23,7 @@ REAL = Scale(2.0 ** -FRACTION_BITS, 0)                   # of a result that is n
 
 def linear_map(weight, x, stride=1, dilation=1, transposed=False, padding=0):
     """the sums of a convolution (its border filled with `padding`, so that the size stays, over the stride), of a transposed convolution
-    of kernel and stride 2, or of a matrix; exact on whole numbers in float64, whose sums stay below 2^53."""
+    of kernel and stride 2, or of a matrix."""
     if weight.dim() == 2:
         return x.flatten(1) @ weight.T
     if transposed:
@@ -108,10 +108,13 @@ def quantised(weight, bias, inputs, result=REAL, residual=None, transposed=False
 
 
 class IntegerLayer:
-    """a layer of an integer file, computed exactly. Bytes are whole numbers in float64, as torch's convolutions want them."""
+    """a layer of an integer file, computed exactly: torch's convolutions want floats, so bytes and weights are whole numbers in float32
+    where no sum can reach 2^24, else in float64."""
 
     def __init__(self, tensors):
-        self.weight = torch.from_numpy(tensors["weight"].astype(np.float64))
+        magnitudes = np.abs(tensors["weight"].astype(np.int64)).reshape(*tensors["weight"].shape[:2], -1).sum(2)
+        reach = BYTE * max(magnitudes.sum(0).max(), magnitudes.sum(1).max())          # whichever axis the outputs are
+        self.weight = torch.from_numpy(tensors["weight"].astype(np.float32 if reach < 2 ** 24 else np.float64))
         self.multiplier, self.offset = (torch.from_numpy(tensors[key].astype(np.int64)) for key in ("multiplier", "offset"))
         self.shift, self.zero = int(tensors["shift"][0]), int(tensors["zero"][0])
         self.residual = int(tensors["residual"][0]) if "residual" in tensors else None
@@ -119,9 +122,9 @@ class IntegerLayer:
     def forward(self, x, residual=None, real=False, **geometry):
         """bytes -> bytes, or numbers with 16 fraction bits."""
         assert (residual is None) == (self.residual is None)
-        sums = linear_map(self.weight, x, padding=self.zero, **geometry).to(torch.int64)
+        sums = linear_map(self.weight, x.to(self.weight.dtype), padding=self.zero, **geometry).to(torch.int64)
         total = sums * along(self.multiplier, sums) + along(self.offset, sums)
         if residual is not None:
             total = total + residual.to(torch.int64) * self.residual
         shifted = total >> self.shift
-        return shifted if real else shifted.clamp(0, BYTE).to(torch.float64)
+        return shifted if real else shifted.clamp(0, BYTE).float()
