@@ -28,6 +28,7 @@ import torch
 
 import dataset
 import export
+import integer_networks
 from model import EXPERTS, LABELS, TYPES
 
 COLOURS = np.array([[255, 255, 255], [60, 90, 220], [220, 60, 60], [60, 180, 75], [245, 130, 48], [240, 200, 0]], np.uint8)
@@ -61,6 +62,15 @@ def held_out_drawings(data, fold, erase):
             if not info.get("open") and truth.any():
                 drawings.append(Drawing(record["id"], f"more, {record['source']}", record["type"], record["class"], image, truth))
     return [d._replace(image=np.pad(d.image, PAD, constant_values=255), truth=np.pad(d.truth, PAD)) for d in drawings]
+
+
+def network_of(path, raw):
+    """of a checkpoint, or of a weight file of floats or of integers."""
+    if path.endswith(".safetensors"):
+        tensors, facts = export.read_safetensors(path)
+        if facts.get("arithmetic") == "integer":
+            return integer_networks.IntegerSegmenter(tensors, facts)
+    return export.load(path, raw)
 
 
 def crop_box(darkness):
@@ -218,7 +228,7 @@ def main():
         write_dataset([drawings[k * len(drawings) // count] for k in range(count)], args.write)
         return
     torch.set_num_threads(1)
-    model = export.load(args.model, args.raw) if args.model else None
+    model = network_of(args.model, args.raw) if args.model else None
     rows, tiles = [], []
     for drawing in held_out_drawings(args.data, args.fold, args.erase):
         if args.turn:
