@@ -22,8 +22,9 @@ struct LayerReader {
     // `<name>.weight` of shape [in, out, height, width], `<name>.bias`.
     TransposedConvolution transposed_convolution(const std::string& name, int in,
                                                  const ConvolutionOptions& options) const;
-    // `<name>.weight` of shape [out, in], `<name>.bias`.
-    Linear linear(const std::string& name, int in) const;
+    // `<name>.weight` of shape [out, in], `<name>.bias`. (places: what integer::LayerReader needs.)
+    Linear linear(const std::string& name, int in, int places = 1) const;
+    Linear real_linear(const std::string& name, int in) const { return linear(name, in); }
 
     // Extent of one dimension of a tensor that must have `rank` of them.
     int extent(const std::string& tensor, std::size_t rank, std::size_t dimension) const;
