@@ -19,6 +19,11 @@ struct LayerReader {
     // is the batch normalisation behind it ("": none), folded in. `in` is the number of channels that arrive.
     Convolution convolution(const std::string& conv, const std::string& norm, int in,
                             const ConvolutionOptions& options) const;
+    // The same: what is added comes after it (integer::LayerReader needs to know).
+    Convolution adding_convolution(const std::string& conv, const std::string& norm, int in,
+                                   const ConvolutionOptions& options) const {
+        return convolution(conv, norm, in, options);
+    }
     // `<name>.weight` of shape [in, out, height, width], `<name>.bias`.
     TransposedConvolution transposed_convolution(const std::string& name, int in,
                                                  const ConvolutionOptions& options) const;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "network/vector_width.hpp"
@@ -137,19 +138,19 @@ public:
                              length = bases[count - 1] + *farthest + width - begin;
         if (planes.channel < apart || length * channels > cached) return direct;
         // No stretch reaches beyond the scratch memory's spare elements behind the last plane.
-        values_.resize(static_cast<std::size_t>(length * channels));
+        values_ = std::make_unique_for_overwrite<Element[]>(static_cast<std::size_t>(length * channels));
         for (int c = 0; c < channels; ++c)
-            std::copy_n(planes.data + planes.channel * c + begin, length, values_.data() + length * c);
+            std::copy_n(planes.data + planes.channel * c + begin, length, values_.get() + length * c);
         for (const std::ptrdiff_t tap : taps) taps_.push_back(tap - *nearest);
         for (int v = 0; v < count; ++v) bases_.push_back(bases[v] - bases[0]);
-        return {values_.data(), static_cast<std::size_t>(length), taps_.data(), bases_.data()};
+        return {values_.get(), static_cast<std::size_t>(length), taps_.data(), bases_.data()};
     }
 
 private:
     static constexpr std::size_t apart = 512;            // elements
     static constexpr std::ptrdiff_t cached = 256 * 1024; // half of a second-level cache
 
-    std::vector<Element> values_;
+    std::unique_ptr<Element[]> values_;
     std::vector<std::ptrdiff_t> taps_, bases_;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <set>
 #include <type_traits>
@@ -205,8 +206,11 @@ std::vector<Number> WeightFile::read_integers(const std::string& name,
     const Entry& tensor = entry(name, expected);
     if (tensor.type != type) fail("tensor '" + name + "' is " + tensor.type + ", not " + type);
     std::vector<Number> values((tensor.end - tensor.begin) / sizeof(Number));
-    for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = static_cast<Number>(
+    if constexpr (sizeof(Number) == 1)
+        std::memcpy(values.data(), bytes_.data() + tensor.begin, values.size());
+    else
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = static_cast<Number>(
             little_endian(bytes_.data() + tensor.begin + i * sizeof(Number), sizeof(Number)));
     return values;
 }

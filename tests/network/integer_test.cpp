@@ -219,7 +219,7 @@ TEST_CASE("Doubled bytes are the bilinear values, rounded") {
     }
 }
 
-TEST_CASE("Pooled and joined bytes are those of the real layers") {
+TEST_CASE("Pooled bytes are those of the real layers") {
     Random random(15);
     for (int round = 0; round < 20; ++round) {
         const int channels = random.integer(1, 9), height = random.integer(3, 9),
@@ -242,12 +242,23 @@ TEST_CASE("Pooled and joined bytes are those of the real layers") {
                     wrong += pooled.byte(n, c, i) != expected.plane(n, c)[i];
         CHECK(wrong == 0);
     }
-    const ByteTensor four = random_bytes(random, 1, 4, 2, 3), three = random_bytes(random, 1, 3, 2, 3);
-    const ByteTensor joined = concatenate(four, three);
-    CHECK(joined.channels == 7);
-    CHECK(joined.byte(0, 3, 5) == four.byte(0, 3, 5));
-    CHECK(joined.byte(0, 6, 5) == three.byte(0, 2, 5));
-    CHECK_THROWS_AS(concatenate(three, four), Error);
+}
+
+TEST_CASE("Joined bytes are one after the other, whatever the channels") {
+    Random random(16);
+    for (int first = 1; first <= 9; ++first)
+        for (int second = 1; second <= 9; ++second) {
+            const ByteTensor a = random_bytes(random, 2, first, 2, 3), b = random_bytes(random, 2, second, 2, 3);
+            const ByteTensor joined = concatenate(a, b);
+            REQUIRE(joined.channels == first + second);
+            int wrong = 0;
+            for (int n = 0; n < 2; ++n)
+                for (int c = 0; c < joined.channels; ++c)
+                    for (std::size_t i = 0; i < 6; ++i)
+                        wrong += joined.byte(n, c, i) != (c < first ? a.byte(n, c, i) : b.byte(n, c - first, i));
+            CHECK(wrong == 0);
+        }
+    CHECK_THROWS_AS(concatenate(random_bytes(random, 1, 4, 2, 3), random_bytes(random, 1, 4, 3, 2)), Error);
 }
 
 TEST_CASE("Filters whose numbers could overflow are refused") {

@@ -87,7 +87,9 @@ network::BasicResidualBlock<A> read_block(const typename A::Reader& reader, cons
         const std::string number = std::to_string(i), conv = name + ".conv" + number;
         const ConvolutionOptions options =
             same_size(reader.extent(conv + ".weight", 4, 2), i < convs, i == strided ? stride : 1);
-        block.branch.push_back(reader.convolution(conv, name + ".bn" + number, width, options));
+        const std::string norm = name + ".bn" + number;
+        block.branch.push_back(i == convs ? reader.adding_convolution(conv, norm, width, options)
+                                          : reader.convolution(conv, norm, width, options));
         width = block.branch.back().out_channels();
     }
     const std::string downsample = name + ".downsample";
@@ -124,8 +126,10 @@ FeaturePyramid<A> read_pyramid(const typename A::Reader& reader, const ResNet<A>
     for (std::size_t i = 0; i < backbone.layers.size(); ++i) {
         const std::string number = std::to_string(i) + ".0", fpn = "backbone.fpn.";
         const int in = backbone.layers[i].back().out_channels();
-        pyramid.inner.push_back(
-            reader.convolution(fpn + "inner_blocks." + number, "", in, same_size(1, false)));
+        const std::string inner = fpn + "inner_blocks." + number;
+        pyramid.inner.push_back(i + 1 < backbone.layers.size()
+                                    ? reader.adding_convolution(inner, "", in, same_size(1, false))
+                                    : reader.convolution(inner, "", in, same_size(1, false)));
         const int width = pyramid.inner.back().out_channels();
         pyramid.layer.push_back(
             reader.convolution(fpn + "layer_blocks." + number, "", width, same_size(3, false)));

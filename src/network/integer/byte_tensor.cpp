@@ -126,13 +126,25 @@ ByteTensor doubled(const ByteTensor& input) {
 ByteTensor concatenate(const ByteTensor& a, const ByteTensor& b) {
     if (a.batch() != b.batch() || a.height() != b.height() || a.width() != b.width())
         fail("tensors of different sizes are joined");
-    if (a.channels % 4 != 0) fail("the channels of a joined tensor are no multiple of four");
     ByteTensor output = ByteTensor::uninitialised(a.batch(), a.channels + b.channels, a.height(), a.width());
+    const std::size_t size = a.plane_size();
+    const int whole = a.channels / 4, shift = a.channels % 4 * 8; // bits of a's last word
     for (int n = 0; n < a.batch(); ++n) {
-        const std::size_t size = a.plane_size();
-        std::copy_n(a.words.plane(n, 0), size * a.words.channels(), output.words.plane(n, 0));
-        std::copy_n(b.words.plane(n, 0), size * b.words.channels(),
-                    output.words.plane(n, a.words.channels()));
+        std::copy_n(a.words.plane(n, 0), size * static_cast<std::size_t>(a.words.channels()), output.words.plane(n, 0));
+        if (shift == 0) {
+            std::copy_n(b.words.plane(n, 0), size * static_cast<std::size_t>(b.words.channels()),
+                        output.words.plane(n, whole));
+            continue;
+        }
+        for (std::size_t i = 0; i < size; ++i) output.words.plane(n, whole)[i] &= (Word{1} << shift) - 1;
+        for (int w = 0; w < b.words.channels(); ++w) {
+            const Word* in = b.words.plane(n, w);
+            Word* out = output.words.plane(n, whole + w);
+            for (std::size_t i = 0; i < size; ++i) out[i] |= in[i] << shift;
+            if (whole + w + 1 == output.words.channels()) continue; // no byte of it is left
+            out = output.words.plane(n, whole + w + 1);
+            for (std::size_t i = 0; i < size; ++i) out[i] = in[i] >> (32 - shift);
+        }
     }
     return output;
 }

@@ -41,7 +41,7 @@ ByteTensor resize_nearest(const ByteTensor& input, int height, int width);
 // To twice the size: (9a + 3b + 3c + d + 8) >> 4 of the four nearest pixels, a the nearest; at the border the
 // pixels outside are those on it. What network::resize_bilinear does, rounded.
 ByteTensor doubled(const ByteTensor& input);
-// Error(weights) when the sizes differ, or the channels of `a` do not fill their words.
+// The channels of a, then those of b. Error(weights) when the sizes differ.
 ByteTensor concatenate(const ByteTensor& a, const ByteTensor& b);
 // Means and maxima of the bytes, [n][c][1][1]. Error(weights) when the image is empty.
 Tensor global_average_pool(const ByteTensor& input);

@@ -16,24 +16,35 @@ Filters LayerReader::checked(const std::string& name, Filters filters, bool tran
     rescaling.multiplier = file.read_integers<std::int32_t>(name + ".multiplier", {filters.out});
     rescaling.offset = file.read_integers<std::int64_t>(name + ".offset", {filters.out});
     rescaling.shift = file.read_integers<std::int32_t>(name + ".shift", {1})[0];
-    if (file.contains(name + ".residual"))
-        rescaling.residual = file.read_integers<std::int32_t>(name + ".residual", {1})[0];
     filters.zero = file.read_integers<std::uint8_t>(name + ".zero", {1})[0];
     if (const std::string fault = fault_of(filters, transposed); !fault.empty())
         file.fail("layer '" + name + "' has " + fault);
     return filters;
 }
 
-Convolution LayerReader::convolution(const std::string& conv, const std::string&, int in,
-                                     const ConvolutionOptions& options) const {
+Filters LayerReader::filters(const std::string& conv, int in) const {
     const std::string name = conv + ".weight";
     Filters filters;
     filters.in = in;
     filters.out = extent(name, 4, 0);
     filters.height = extent(name, 4, 2);
     filters.width = extent(name, 4, 3);
-    filters.weights = file.read_integers<std::int8_t>(name, {filters.out, in, filters.height, filters.width});
-    return {checked(conv, std::move(filters), false), options};
+    filters.weights =
+        file.read_integers<std::int8_t>(name, {filters.out, in, filters.height, filters.width});
+    return filters;
+}
+
+Convolution LayerReader::convolution(const std::string& conv, const std::string&, int in,
+                                     const ConvolutionOptions& options) const {
+    return {checked(conv, filters(conv, in), false), options};
+}
+
+Convolution LayerReader::adding_convolution(const std::string& conv, const std::string&, int in,
+                                            const ConvolutionOptions& options) const {
+    Filters read = filters(conv, in);
+    read.rescaling.residual = file.read_integers<std::int32_t>(conv + ".residual", {1})[0];
+    if (read.rescaling.residual == 0) file.fail("tensor '" + conv + ".residual' is 0");
+    return {checked(conv, std::move(read), false), options};
 }
 
 TransposedConvolution LayerReader::transposed_convolution(const std::string& layer, int in,

@@ -16,6 +16,9 @@ struct LayerReader {
 
     Convolution convolution(const std::string& conv, const std::string& norm, int in,
                             const ConvolutionOptions& options) const;
+    // The same of the last one of a residual block's branch, or of one that a coarser level is added to.
+    Convolution adding_convolution(const std::string& conv, const std::string& norm, int in,
+                                   const ConvolutionOptions& options) const;
     TransposedConvolution transposed_convolution(const std::string& name, int in,
                                                  const ConvolutionOptions& options) const;
     // places: pixels of a channel of its input.
@@ -25,6 +28,7 @@ struct LayerReader {
     int extent(const std::string& tensor, std::size_t rank, std::size_t dimension) const;
 
 private:
+    Filters filters(const std::string& conv, int in) const;
     Filters checked(const std::string& name, Filters filters, bool transposed) const;
 };
 

@@ -22,11 +22,15 @@ constexpr int largest_shift = 62;
 
 // 255·Σ|weight| of each output channel.
 std::vector<std::uint64_t> largest_sums(const Filters& filters, bool transposed) {
-    std::vector<std::uint64_t> sums(static_cast<std::size_t>(filters.out));
+    const auto out = static_cast<std::size_t>(filters.out);
+    std::vector<std::uint64_t> sums(out);
     const std::size_t taps = static_cast<std::size_t>(filters.height) * filters.width;
-    for (std::size_t i = 0; i < filters.weights.size(); ++i) {
-        const std::size_t filter = transposed ? i / taps % sums.size() : i / (taps * filters.in);
-        sums[filter] += static_cast<std::uint64_t>(255 * std::abs(filters.weights[i]));
+    const std::size_t run = transposed ? taps : taps * filters.in; // weights of one channel that lie together
+    const std::int8_t* weight = filters.weights.data();
+    for (std::size_t i = 0; i < filters.weights.size() / run; ++i) {
+        unsigned sum = 0;
+        for (std::size_t k = 0; k < run; ++k) sum += static_cast<unsigned>(std::abs(*weight++));
+        sums[i % out] += std::uint64_t{255} * sum;
     }
     return sums;
 }
@@ -45,8 +49,8 @@ std::string fault_of(const Filters& filters, bool transposed) {
     if (filters.weights.size() != out * filters.in * filters.height * filters.width ||
         rescaling.multiplier.size() != out || rescaling.offset.size() != out)
         return "weights that do not fit its shape";
-    for (const int weight : filters.weights)
-        if (std::abs(weight) > largest_weight) return "a weight beyond 63";
+    const auto [least, most] = std::minmax_element(filters.weights.begin(), filters.weights.end());
+    if (*least < -largest_weight || *most > largest_weight) return "a weight beyond 63";
     if (rescaling.shift < 1 || rescaling.shift > largest_shift) return "a shift outside 1 to 62";
     if (rescaling.residual < 0) return "a negative factor";
     const std::uint64_t bound = std::uint64_t{1} << std::min(largest_shift, 31 + rescaling.shift);

@@ -33,7 +33,7 @@ void expect(const WeightFile& file, const std::string& key, const std::string& v
 
 struct Shape {
     int in = 0, out = 0, kernel = 3, stride = 1, dilation = 1;
-    bool relu = true;
+    bool adds = false; // a residual block's shortcut comes after it, then the activation
 };
 
 // A convolution without bias, its normalisation folded in.
@@ -44,12 +44,14 @@ typename A::Convolution read_convolution(const WeightFile& file, const std::stri
     options.stride = shape.stride;
     options.dilation = shape.dilation;
     options.padding = shape.kernel / 2 * shape.dilation;
-    options.relu = shape.relu;
+    options.relu = !shape.adds;
     const std::string conv = name + ".conv";
     if (file.shape(conv + ".weight") !=
         std::vector<std::int64_t>{shape.out, shape.in, shape.kernel, shape.kernel})
         file.fail("tensor '" + conv + ".weight' has another shape than the metadata says");
-    return typename A::Reader{file}.convolution(conv, name + ".norm", shape.in, options);
+    const typename A::Reader reader{file};
+    return shape.adds ? reader.adding_convolution(conv, name + ".norm", shape.in, options)
+                      : reader.convolution(conv, name + ".norm", shape.in, options);
 }
 
 template <class A>
@@ -57,7 +59,7 @@ network::BasicResidualBlock<A> read_residual(const WeightFile& file, const std::
                                              int dilation = 1) {
     const Shape shape{.in = width, .out = width, .dilation = dilation};
     Shape last = shape;
-    last.relu = false; // comes after the sum
+    last.adds = true;
     network::BasicResidualBlock<A> block;
     block.branch.push_back(read_convolution<A>(file, name + ".a", shape));
     block.branch.push_back(read_convolution<A>(file, name + ".b", last));
