@@ -211,7 +211,7 @@ std::vector<Number> WeightFile::read_integers(const std::string& name,
     else
         for (std::size_t i = 0; i < values.size(); ++i)
             values[i] = static_cast<Number>(
-            little_endian(bytes_.data() + tensor.begin + i * sizeof(Number), sizeof(Number)));
+                little_endian(bytes_.data() + tensor.begin + i * sizeof(Number), sizeof(Number)));
     return values;
 }
 template std::vector<std::int8_t> WeightFile::read_integers(const std::string&,

@@ -48,12 +48,8 @@ Place place_of(double x, double y, int side) {
     const double left = std::floor(x), top = std::floor(y);
     if (left < -1 || top < -1 || left >= side || top >= side) return {};
     const int column = static_cast<int>(left), row = static_cast<int>(top);
-    return {column,
-            row,
-            x - left,
-            y - top,
-            true,
-            column >= 0 && row >= 0 && column + 1 < side && row + 1 < side};
+    return {column,  row,  x - left,
+            y - top, true, column >= 0 && row >= 0 && column + 1 < side && row + 1 < side};
 }
 
 // The bilinear value of a plane there, whose surroundings are `outside`.

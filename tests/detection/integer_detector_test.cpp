@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Mask R-CNN on integers against an independent pass in exact arithmetic, byte for byte, on a small one with random
-// weights (tools/train/quantize.py --fixture).
+// Mask R-CNN on integers against an independent pass in exact arithmetic, byte for byte, on a small one with
+// random weights (tools/train/quantize.py --fixture).
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -76,7 +76,8 @@ TEST_CASE("The integer Mask R-CNN finds what exact arithmetic finds, with the sa
     for (std::size_t i = 0; i < first.size(); ++i) {
         const Region& box = first[i].box;
         const float sides[] = {box.left, box.top, box.right, box.bottom};
-        for (int k = 0; k < 4; ++k) CHECK(sides[k] == Approx(boxes(static_cast<int>(i), k, 0, 0)).margin(0.05));
+        for (int k = 0; k < 4; ++k)
+            CHECK(sides[k] == Approx(boxes(static_cast<int>(i), k, 0, 0)).margin(0.05));
     }
     for (const network::Simd simd : network::all_simd) {
         if (!network::simd_supported(simd)) continue;
@@ -104,15 +105,18 @@ TEST_CASE("RoIAlign of bytes is that of their numbers, rounded") {
             for (std::size_t i = 0; i < values.plane_size(); ++i)
                 values.plane(0, c)[i] = static_cast<float>(bytes.byte(0, c, i) - zero);
         const double x = random.uniform(-9, 60), y = random.uniform(-9, 40);
-        const Region region{static_cast<float>(x), static_cast<float>(y), static_cast<float>(x + random.uniform(0, 60)),
+        const Region region{static_cast<float>(x), static_cast<float>(y),
+                            static_cast<float>(x + random.uniform(0, 60)),
                             static_cast<float>(y + random.uniform(0, 60))};
         Tensor pooled(1, channels, 4, 4);
         network::roi_align(values, {region}, {0}, 0.25f, 2, Runtime(1), pooled);
         ByteTensor result = ByteTensor::uninitialised(1, channels, 4, 4);
-        network::roi_align(bytes, {region}, {0}, 0.25f, 2, static_cast<std::uint8_t>(zero), Runtime(1), result);
+        network::roi_align(bytes, {region}, {0}, 0.25f, 2, static_cast<std::uint8_t>(zero), Runtime(1),
+                           result);
         for (int c = 0; c < channels; ++c)
             for (std::size_t i = 0; i < 16; ++i)
-                CHECK(std::abs(result.byte(0, c, i) - (pooled.plane(0, c)[i] + static_cast<float>(zero))) <= 0.5001);
+                CHECK(std::abs(result.byte(0, c, i) - (pooled.plane(0, c)[i] + static_cast<float>(zero))) <=
+                      0.5001);
     }
 }
 
@@ -125,7 +129,8 @@ TEST_CASE("An integer detector that does not fit is refused by name") {
           "w: tensor 'backbone.fpn.inner_blocks.0.0.residual' is missing");
     CHECK(failure(with_text(weights(), "\"arithmetic\":\"integer\"", "\"arithmetik\":\"integer\"")) ==
           "w: the layers are of another arithmetic");
-    CHECK(failure_of([] { load_network(WeightFile(weights(), "w")); }) == "w: the layers are of another arithmetic");
+    CHECK(failure_of([] { load_network(WeightFile(weights(), "w")); }) ==
+          "w: the layers are of another arithmetic");
 }
 
 } // namespace pantin::mask_rcnn

@@ -248,14 +248,16 @@ TEST_CASE("Joined bytes are one after the other, whatever the channels") {
     Random random(16);
     for (int first = 1; first <= 9; ++first)
         for (int second = 1; second <= 9; ++second) {
-            const ByteTensor a = random_bytes(random, 2, first, 2, 3), b = random_bytes(random, 2, second, 2, 3);
+            const ByteTensor a = random_bytes(random, 2, first, 2, 3),
+                             b = random_bytes(random, 2, second, 2, 3);
             const ByteTensor joined = concatenate(a, b);
             REQUIRE(joined.channels == first + second);
             int wrong = 0;
             for (int n = 0; n < 2; ++n)
                 for (int c = 0; c < joined.channels; ++c)
                     for (std::size_t i = 0; i < 6; ++i)
-                        wrong += joined.byte(n, c, i) != (c < first ? a.byte(n, c, i) : b.byte(n, c - first, i));
+                        wrong +=
+                            joined.byte(n, c, i) != (c < first ? a.byte(n, c, i) : b.byte(n, c - first, i));
             CHECK(wrong == 0);
         }
     CHECK_THROWS_AS(concatenate(random_bytes(random, 1, 4, 2, 3), random_bytes(random, 1, 4, 3, 2)), Error);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The compact network on integers against an independent pass in exact arithmetic, byte for byte, on a small one with
-// random weights (tools/train/quantize.py --fixture).
+// The compact network on integers against an independent pass in exact arithmetic, byte for byte, on a small
+// one with random weights (tools/train/quantize.py --fixture).
 #include <catch2/catch.hpp>
 
 #include "compare_torch/trace.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Activations of the integer networks against those that tools/train/quantize.py computed with exact arithmetic.
+// Activations of the integer networks against those that tools/train/quantize.py computed with exact
+// arithmetic.
 #pragma once
 
 #include <string>
@@ -8,7 +9,8 @@
 
 namespace pantin::network::integer {
 
-// How many bytes differ from the tensor `name` of the file, of type U8 and shape [batch, channels, height, width].
+// How many bytes differ from the tensor `name` of the file, of type U8 and shape [batch, channels, height,
+// width].
 inline int wrong_bytes(const WeightFile& expected, const std::string& name, const ByteTensor& ours) {
     const std::vector<std::uint8_t> theirs = expected.read_integers<std::uint8_t>(
         name, {ours.batch(), ours.channels, ours.height(), ours.width()});

@@ -130,7 +130,8 @@ ByteTensor concatenate(const ByteTensor& a, const ByteTensor& b) {
     const std::size_t size = a.plane_size();
     const int whole = a.channels / 4, shift = a.channels % 4 * 8; // bits of a's last word
     for (int n = 0; n < a.batch(); ++n) {
-        std::copy_n(a.words.plane(n, 0), size * static_cast<std::size_t>(a.words.channels()), output.words.plane(n, 0));
+        std::copy_n(a.words.plane(n, 0), size * static_cast<std::size_t>(a.words.channels()),
+                    output.words.plane(n, 0));
         if (shift == 0) {
             std::copy_n(b.words.plane(n, 0), size * static_cast<std::size_t>(b.words.channels()),
                         output.words.plane(n, whole));

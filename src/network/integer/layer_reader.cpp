@@ -29,8 +29,7 @@ Filters LayerReader::filters(const std::string& conv, int in) const {
     filters.out = extent(name, 4, 0);
     filters.height = extent(name, 4, 2);
     filters.width = extent(name, 4, 3);
-    filters.weights =
-        file.read_integers<std::int8_t>(name, {filters.out, in, filters.height, filters.width});
+    filters.weights = file.read_integers<std::int8_t>(name, {filters.out, in, filters.height, filters.width});
     return filters;
 }
 
