@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Integers of 128 bits for exact predicates: the compiler's own where it has them, else (processors of 32 bits) the
-// class below, which has the operators that the predicates use. Own.
+// Integers of 128 bits for exact predicates: the compiler's own where it has them, else (processors of 32
+// bits) the class below, which has the operators that the predicates use. Own.
 #pragma once
 
 #include <bit>
@@ -51,7 +51,8 @@ public:
         std::uint64_t leading = size.low_;
         if (drop > 0) {
             leading = drop == 64 ? size.high_ : size.high_ << (64 - drop) | size.low_ >> drop;
-            const bool rest = drop == 64 ? size.low_ != 0 : (size.low_ & ((std::uint64_t{1} << drop) - 1)) != 0;
+            const bool rest =
+                drop == 64 ? size.low_ != 0 : (size.low_ & ((std::uint64_t{1} << drop) - 1)) != 0;
             leading |= rest; // far below the last bit that stays: decides between ties alone
         }
         const double value = std::ldexp(static_cast<double>(leading), drop);

@@ -19,9 +19,10 @@ std::int64_t random_word(Random& random) {
 }
 
 bool same(TwoWordInteger ours, __int128 theirs) {
-    return ours == TwoWordInteger(static_cast<std::int64_t>(theirs >> 64)) * TwoWordInteger(std::int64_t{1} << 32) *
-                           TwoWordInteger(std::int64_t{1} << 32) +
-                       TwoWordInteger(static_cast<std::int64_t>(theirs >> 1 & 0x7fffffffffffffff)) * TwoWordInteger(2) +
+    return ours == TwoWordInteger(static_cast<std::int64_t>(theirs >> 64)) *
+                           TwoWordInteger(std::int64_t{1} << 32) * TwoWordInteger(std::int64_t{1} << 32) +
+                       TwoWordInteger(static_cast<std::int64_t>(theirs >> 1 & 0x7fffffffffffffff)) *
+                           TwoWordInteger(2) +
                        TwoWordInteger(static_cast<std::int64_t>(theirs & 1));
 }
 
@@ -32,7 +33,8 @@ TEST_CASE("Integers of two words compute what the compiler's of 128 bits compute
     for (int round = 0; round < 20000; ++round) {
         const std::int64_t a = random_word(random), b = random_word(random), c = random_word(random),
                            d = random_word(random);
-        const __int128 wide = static_cast<__int128>(a) * b + c, other = static_cast<__int128>(d) * (c / 2) - a;
+        const __int128 wide = static_cast<__int128>(a) * b + c,
+                       other = static_cast<__int128>(d) * (c / 2) - a;
         const TwoWordInteger ours = TwoWordInteger(a) * TwoWordInteger(b) + TwoWordInteger(c);
         const TwoWordInteger ours_too = TwoWordInteger(d) * TwoWordInteger(c / 2) - TwoWordInteger(a);
         REQUIRE(same(ours, wide));

@@ -19,8 +19,9 @@ PANTIN_INLINE int32x4_t dot_product(int32x4_t sum, uint8x16_t x, int8x16_t w) {
 constexpr int group = 4;
 } // namespace
 
-#include "network/integer/kernel_template.hpp"
 #include "network/integer/neon_lanes.hpp"
+
+#include "network/integer/kernel_template.hpp"
 
 const pantin::network::integer::Kernel pantin::network::integer::kernel_neon = {Lanes::width, sum, bytes};
 #else

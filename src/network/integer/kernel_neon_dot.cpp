@@ -17,8 +17,9 @@ constexpr int group = 4;
 } // namespace
 
 #define PANTIN_MOVES_INPUT
-#include "network/integer/kernel_template.hpp"
 #include "network/integer/neon_lanes.hpp"
+
+#include "network/integer/kernel_template.hpp"
 
 const pantin::network::integer::Kernel pantin::network::integer::kernel_neon_dot = {Lanes::width, sum, bytes};
 #else
