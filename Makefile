@@ -210,6 +210,7 @@ vectors-files:
 	rm -rf $(vectors_out)/$(vectors_name)
 	$(BUILD)/pantin verify --quiet -o $(vectors_out)/$(vectors_name)
 	cp -r testdata/vectors/README.md weights references $(vectors_out)/$(vectors_name)/
+	rm -r $(vectors_out)/$(vectors_name)/weights/float
 	cd $(vectors_out)/$(vectors_name) && find * -type f | LC_ALL=C sort | xargs sha256sum > ../$(vectors_name).sums
 	mv $(vectors_out)/$(vectors_name).sums $(vectors_out)/$(vectors_name)/SHA256SUMS
 	$(call pack,$(vectors_out),$(vectors_name)) > $(vectors_out)/$(vectors_name).tar.gz

@@ -27,9 +27,12 @@ double least_time(const std::function<void()>& work, int rounds);
 
 // Most fused multiply-adds of one thread, in GFLOP/s; 0 where it is not known how to ask.
 double fma_peak(network::Simd simd);
+// Most products of bytes, in billions a second; likewise.
+double dot_product_peak(network::Simd simd);
 
 void bench_steps(const std::string& page, int rounds);
 void bench_kernel(int rounds);
+void bench_integer_kernel(int rounds);
 void bench_segmenter(int rounds);
 void bench_graph_distance(int rounds);
 void bench_straight_skeleton(int rounds);
