@@ -49,8 +49,9 @@ std::string fault_of(const Filters& filters, bool transposed) {
     if (filters.weights.size() != out * filters.in * filters.height * filters.width ||
         rescaling.multiplier.size() != out || rescaling.offset.size() != out)
         return "weights that do not fit its shape";
-    const auto [least, most] = std::minmax_element(filters.weights.begin(), filters.weights.end());
-    if (*least < -largest_weight || *most > largest_weight) return "a weight beyond 63";
+    int farthest = 0; // from 0
+    for (const std::int8_t weight : filters.weights) farthest = std::max(farthest, std::abs(weight));
+    if (farthest > largest_weight) return "a weight beyond 63";
     if (rescaling.shift < 1 || rescaling.shift > largest_shift) return "a shift outside 1 to 62";
     if (rescaling.residual < 0) return "a negative factor";
     const std::uint64_t bound = std::uint64_t{1} << std::min(largest_shift, 31 + rescaling.shift);
