@@ -131,6 +131,31 @@ std::vector<std::uint64_t> filtered(const RgbaImage& texture, const Taps& taps) 
     return colours;
 }
 
+// The same next to what is not opaque, of the opaque texels alone: the mean of that part of a pixel which is
+// drawn. `around`: opaque_around().
+void filter_outline(const RgbaImage& texture, const Grid<int>& around, int window, const Taps& taps,
+                    std::vector<std::uint64_t>& colours) {
+    const int width = texture.width(), height = texture.height();
+    const auto reach = static_cast<int>(taps.weights.size()) - 1;
+    const auto tap = [&taps](int i) { return taps.weights[static_cast<std::size_t>(std::abs(i))]; };
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const int count = around.row(y)[x];
+            if (count == 0 || count == window) continue;
+            std::uint64_t r = 0, g = 0, b = 0, sum = 0;
+            for (int j = -reach; j <= reach; ++j)
+                for (int i = -reach; i <= reach; ++i) {
+                    const Rgba8 p =
+                        texture.row(std::clamp(y + j, 0, height - 1))[std::clamp(x + i, 0, width - 1)];
+                    const std::uint64_t weight = p.a < 128 ? 0 : tap(i) * tap(j);
+                    r += weight * p.r, g += weight * p.g, b += weight * p.b, sum += weight;
+                }
+            if (sum == 0) continue;
+            const auto mean = [sum](std::uint64_t value) { return (4096 * value + sum / 2) / sum; };
+            colours[static_cast<std::size_t>(y) * width + x] = mean(r) | mean(g) << 21 | mean(b) << 42;
+        }
+}
+
 // From 21 bits a channel, times 64², to 16 bits a channel.
 std::uint64_t packed(std::uint64_t sums) {
     const auto channel = [sums](int i) { return ((sums >> (21 * i) & 0x1fffff) + 2048) >> 12; };
@@ -150,13 +175,14 @@ FilmTexture::FilmTexture(RgbaImage texture, double pixels, int samples, bool per
     const int reach = static_cast<int>(std::ceil(0.5 * most * (samples - 1) / samples));
     const Grid<int> opaque = opaque_around(texture, reach);
     spread_colours(texture, opaque, reach);
-    const std::vector<std::uint64_t> colours = filtered(texture, pixel_filter(texels, samples));
-    const int margin = reach + 1;
+    const int window = (2 * reach + 2) * (2 * reach + 2), margin = reach + 1;
+    const Taps taps = pixel_filter(texels, samples);
+    std::vector<std::uint64_t> colours = filtered(texture, taps);
+    filter_outline(texture, opaque, window, taps, colours);
     stride_ = width_ + 2 * margin, first_ = margin * stride_ + margin;
     const std::size_t size =
         static_cast<std::size_t>(stride_) * static_cast<std::size_t>(height_ + 2 * margin);
     colours_.resize(size), alphas_.resize(size), opacities_.resize(size);
-    const auto window = (2 * reach + 2) * (2 * reach + 2);
     std::size_t i = 0;
     for (int y = -margin; y < height_ + margin; ++y) {
         const int top = std::clamp(y, 0, height_ - 1), bottom = std::clamp(y + 1, 0, height_ - 1);

@@ -42,13 +42,16 @@ WebPConfig lossy_config(int quality) {
     return config;
 }
 
+// Method and quality are the effort here, not loss. More of either hardly makes the files smaller (humanoid,
+// walk, 25 frames of 512 pixels): 0, 0: 977 KB in 0.12 s; 1, 0: 895 KB, 0.15 s; 1, 50: 684 KB, 0.25 s;
+// 2, 50: 684 KB, 0.37 s; 4, 75: 683 KB, 1.3 s; 6, 100: 649 KB, 29 s.
 WebPConfig lossless_config() {
     WebPConfig config;
     if (!WebPConfigInit(&config)) fail("the library's version differs");
     config.lossless = 1;
     config.exact = 1; // colours below alpha 0 stay: we set them to 0 ourselves
-    config.method = 0;
-    config.quality = 0; // effort, not loss
+    config.method = 1;
+    config.quality = 50;
     config.thread_level = 0;
     return config;
 }
@@ -65,10 +68,11 @@ struct Change {
 Rgba8 visible(Rgba8 p) { return p.a == 0 ? Rgba8{} : p; }
 
 // The changed pixels' box, empty when there are none. Where all of them are opaque, they can be put over the
-// frame before, whose pixels show through the others.
-Change change_between(const RgbaImage& before, const RgbaImage& frame) {
+// frame before, whose pixels show through the others: a third less for a figure on a page, but more when the
+// colours are lossy, which holes between them cost dearly.
+Change change_between(const RgbaImage& before, const RgbaImage& frame, bool lossless) {
     int left = frame.width(), top = frame.height(), right = 0, bottom = 0;
-    bool blend = true;
+    bool blend = lossless;
     for (int y = 0; y < frame.height(); ++y) {
         const Rgba8 *p = frame.row(y), *q = before.row(y);
         for (int x = 0; x < frame.width(); ++x) {
@@ -163,7 +167,7 @@ std::vector<unsigned char> encode_webp(const std::vector<RgbaImage>& frames, dou
     std::vector<Change> changes(frames.size());
     parallel_for(threads, static_cast<int>(frames.size()), [&](int frame) {
         const auto i = static_cast<std::size_t>(frame);
-        Change change = change_between(before(i), frames[i]);
+        Change change = change_between(before(i), frames[i], !quality);
         change.begin = milliseconds(i, fps), change.end = milliseconds(i + 1, fps);
         if (i == 0 && change.box.width == 0) change.box = {0, 0, 1, 1};
         if (change.box.width > 0) change.bytes = encoded(before(i), frames[i], change, config);
