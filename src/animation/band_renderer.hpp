@@ -90,9 +90,7 @@ private:
         const SampleSpan columns{std::max(shape.columns().begin, 0),
                                  std::min(shape.columns().end, width_ * n)};
         if (rows.begin >= rows.end || columns.begin >= columns.end) return;
-        std::array<EdgeWalk, 4> walks;
-        const std::size_t sides = shape.edges().size();
-        for (std::size_t i = 0; i < sides; ++i) walks[i] = EdgeWalk(shape.edges()[i], rows.begin);
+        FaceWalk walk(shape);
         int y = rows.begin / n;
         d.affine = picture_.textured && !picture_.perspective && d.surface.even;
         if (d.affine) d.places = PlaceWalk(d.surface, texture_, n, y);
@@ -100,13 +98,8 @@ private:
             Spans spans;
             for (int j = 0; j < n; ++j) {
                 const int row = y * n + j;
-                std::int64_t begin = columns.begin, end = columns.end;
-                if (row < rows.begin || row >= rows.end)
-                    end = begin;
-                else
-                    for (std::size_t i = 0; i < sides; ++i) walks[i].clip(begin, end);
-                spans[static_cast<std::size_t>(j)] =
-                    begin < end ? SampleSpan{static_cast<int>(begin), static_cast<int>(end)} : SampleSpan{};
+                if (row >= rows.begin && row < rows.end)
+                    spans[static_cast<std::size_t>(j)] = walk.next(row, columns);
             }
             draw_row(d, y, spans);
         }
@@ -233,6 +226,10 @@ private:
         TexturePoint place = f.place + d.places.offset(1 - n, 1 - n, n);
         SampleMask kept = 0, bit = 1;
         for (int j = 0; j < n; ++j, place = place + down) {
+            if ((f.samples >> (n * j) & (all >> (n * (n - 1)))) == 0) {
+                bit <<= n;
+                continue;
+            }
             TexturePoint at = place;
             for (int i = 0; i < n; ++i, at = at + across, bit <<= 1) kept |= texture.opaque(at) ? bit : 0;
         }

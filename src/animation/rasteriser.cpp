@@ -150,7 +150,7 @@ void FrameRenderer::Parts::add_surface(Corners corners, std::vector<Surface>& su
 
 std::vector<Surface> FrameRenderer::Parts::surfaces(const std::vector<ScreenVertex>& screen) const {
     std::vector<Surface> surfaces;
-    surfaces.reserve(rig.mesh.faces.size());
+    surfaces.reserve(2 * rig.mesh.faces.size());
     for (const std::vector<int>& face : rig.mesh.faces) {
         if (face.size() == 4 && picture.textured && !picture.lit) {
             const std::array<const ScreenVertex*, 4> quad = {&screen[face[0]], &screen[face[1]],

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 
 #include "core/math.hpp"
@@ -29,50 +30,51 @@ struct SampleSpan {
     int begin = 0, end = 0;
 };
 
+// The samples of a row or column from `low` to `high`, both fixed point.
+inline SampleSpan samples_between(std::int64_t low, std::int64_t high) {
+    return {static_cast<int>(math::floor_divide(low + sample_units / 2 - 1, sample_units)),
+            static_cast<int>(math::floor_divide(high - sample_units / 2, sample_units) + 1)};
+}
+
 // Positive inside (y down, clockwise). A sample on the edge belongs to it if the edge is a top or a left one.
 struct ScreenEdge {
-    std::int64_t x = 0, y = 0, dx = 0, dy = 0, bias = 0;
+    std::int32_t x = 0, y = 0, dx = 0, dy = 0; // coordinates stay below 2^28
     ScreenEdge() = default;
     ScreenEdge(const ScreenVertex& from, const ScreenVertex& to)
-        : x(from.x), y(from.y), dx(to.x - from.x), dy(to.y - from.y) {
-        const bool top_left = (dy == 0 && dx > 0) || dy < 0;
-        bias = top_left ? 0 : -1;
-    }
+        : x(static_cast<std::int32_t>(from.x)), y(static_cast<std::int32_t>(from.y)),
+          dx(static_cast<std::int32_t>(to.x - from.x)), dy(static_cast<std::int32_t>(to.y - from.y)) {}
     // At the first sample of the row; a sample is inside from 0 on.
     std::int64_t at_row(int row) const {
-        return dx * (row * sample_units + sample_units / 2 - y) - dy * (sample_units / 2 - x) + bias;
+        const bool top_left = (dy == 0 && dx > 0) || dy < 0;
+        return dx * (row * sample_units + sample_units / 2 - y) - dy * (sample_units / 2 - x) -
+               (top_left ? 0 : 1);
     }
+    // From one end to the other.
+    SampleSpan rows() const { return samples_between(std::min(y, y + dy), std::max(y, y + dy)); }
 };
 
-// Where a row's samples inside an edge begin or end, row after row without a division.
+// Where a row's samples inside an edge that is not level begin (a left edge) or end (a right one), row after
+// row without a division.
 class EdgeWalk {
 public:
     EdgeWalk() = default;
-    EdgeWalk(const ScreenEdge& edge, int row) : step_(-edge.dy * sample_units) {
-        const std::int64_t size = step_ < 0 ? -step_ : step_, first = edge.at_row(row),
-                           down = edge.dx * sample_units;
-        size_ = size;
-        if (size == 0) {
-            whole_ = first, whole_step_ = down;
-            return;
-        }
-        whole_ = math::floor_divide(first, size), rest_ = first - whole_ * size;
-        whole_step_ = math::floor_divide(down, size), rest_step_ = down - whole_step_ * size;
+    EdgeWalk(const ScreenEdge& edge, int row) : left_(edge.dy < 0) {
+        const std::int64_t first = edge.at_row(row), down = sample_units * edge.dx;
+        size_ = sample_units *
+                std::abs(std::int64_t{edge.dy}); // what the function changes by from sample to sample
+        whole_ = math::floor_divide(first, size_), rest_ = first - whole_ * size_;
+        whole_step_ = math::floor_divide(down, size_), rest_step_ = down - whole_step_ * size_;
     }
-    // Cuts the span to the samples inside, and goes on to the next row.
-    void clip(std::int64_t& begin, std::int64_t& end) {
-        if (step_ > 0) // first + x · step ≥ 0
-            begin = std::max(begin, -whole_);
-        else if (step_ < 0)
-            end = std::min(end, whole_ + 1);
-        else if (whole_ < 0)
-            end = begin;
+    // The first sample inside, or the first one outside: first + x · size ≥ 0, or first - x · size < 0.
+    std::int64_t sample() const { return left_ ? -whole_ : whole_ + 1; }
+    void next_row() {
         whole_ += whole_step_, rest_ += rest_step_;
-        if (rest_ >= size_ && size_ > 0) rest_ -= size_, ++whole_;
+        if (rest_ >= size_) rest_ -= size_, ++whole_;
     }
 
 private:
-    std::int64_t step_ = 0, size_ = 0, whole_ = 0, whole_step_ = 0, rest_ = 0, rest_step_ = 0;
+    bool left_ = false;
+    std::int64_t size_ = 1, whole_ = 0, whole_step_ = 0, rest_ = 0, rest_step_ = 0;
 };
 
 // A value that changes evenly over a face.
@@ -95,7 +97,7 @@ public:
         }
         const double unit = static_cast<double>(count_) * sample_units;
         x_ = x_ / unit - 0.5, y_ = y_ / unit - 0.5;
-        rows_ = samples_between(top, bottom), columns_ = samples_between(left, right);
+        rows_ = samples_between(top, bottom - 1), columns_ = samples_between(left, right);
         // Two sides of the triangle, or the diagonals.
         const ScreenVertex &p = *corners[0], &q = *corners[count_ - 2], &r = *corners[1],
                            &s = *corners[count_ - 1];
@@ -120,21 +122,54 @@ public:
     }
 
     std::span<const ScreenEdge> edges() const { return {edges_.data(), count_}; }
-    // All samples inside are in these rows and columns, which may lie outside of the frame.
+    // All samples inside are in these rows and columns, which may lie outside of the frame; those on a level
+    // lower edge are not inside.
     SampleSpan rows() const { return rows_; }
     SampleSpan columns() const { return columns_; }
 
 private:
-    static SampleSpan samples_between(std::int64_t low, std::int64_t high) {
-        return {static_cast<int>(math::floor_divide(low + sample_units / 2 - 1, sample_units)),
-                static_cast<int>(math::floor_divide(high - sample_units / 2, sample_units) + 1)};
-    }
-
     std::size_t count_;
     std::array<ScreenEdge, 4> edges_;
     double x_ = 0, y_ = 0;     // the middle of the corners, on the sample grid
     double qx_, qy_, sx_, sy_; // two vectors between corners, over the area
     SampleSpan rows_, columns_;
+};
+
+// The samples of a face, row after row. A row crosses one left and one right edge of it; where it meets a
+// corner, both edges of that side say the same.
+class FaceWalk {
+public:
+    explicit FaceWalk(const ScreenFace& face) : face_(&face) {}
+
+    // Of the next row, which is one of the face's, the samples inside among those of `columns`.
+    SampleSpan next(int row, SampleSpan columns) {
+        const auto left = left_.sample(*face_, row, true), right = right_.sample(*face_, row, false);
+        const auto begin = std::max<std::int64_t>(left, columns.begin),
+                   end = std::min<std::int64_t>(right, columns.end);
+        return begin < end ? SampleSpan{static_cast<int>(begin), static_cast<int>(end)} : SampleSpan{};
+    }
+
+private:
+    struct Side {
+        EdgeWalk walk;
+        SampleSpan rows; // of the edge
+        std::int64_t sample(const ScreenFace& face, int row, bool left) {
+            if (row < rows.end) {
+                walk.next_row();
+                return walk.sample();
+            }
+            for (const ScreenEdge& edge : face.edges()) {
+                if (left ? edge.dy >= 0 : edge.dy <= 0) continue;
+                rows = edge.rows();
+                if (row < rows.begin || row >= rows.end) continue;
+                walk = EdgeWalk(edge, row);
+                break;
+            }
+            return walk.sample();
+        }
+    };
+    const ScreenFace* face_;
+    Side left_{{}, {0, -(1 << 30)}}, right_{{}, {0, -(1 << 30)}};
 };
 
 } // namespace pantin
