@@ -109,7 +109,7 @@ link = $(CXX) $(ldflags) $(LDFLAGS) -o $@ $(filter %.o %.a,$^)
 # and writes files, once it is instrumented. Where films and networks spend their time the sanitizers pay off optimised.
 computing_tests := geometry identification modeling network replay skeletonization
 glue := cli/% evaluation/% formats/% pipeline/% modeling/pugixml/% modeling/strokes_% modeling/svg_%
-hot := animation/rasteriser network/kernel_% network/integer/kernel_%
+hot := animation/rasteriser animation/film_texture network/kernel_% network/integer/kernel_%
 # Loops over pixels and weights, which vectors make a fifth faster.
 pixel_modules := image network segmentation detection
 objects = $(patsubst %,$(BUILD)/src/%.o,$(1))
@@ -139,7 +139,7 @@ LIB_OBJECTS := $(call objects_of,src) $(BUILD)/resources.o
 DOODLE_OBJECTS := $(call objects_of,tools/doodle)
 TORCH_OBJECTS := $(call objects_of,tools/compare_torch)
 FIGURE_OBJECTS := $(call objects_of,tools/figures) $(BUILD)/tools/bench/timing.o
-TEST_OBJECTS := $(call objects_of,tests) $(BUILD)/tests/main.o
+TEST_OBJECTS := $(call objects_of,tests) $(BUILD)/tests/main.o $(BUILD)/tools/bench/sample_renderer.o
 BENCH_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tools/bench/*.cpp))
 COMPARE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tools/compare/*.cpp))
 EVALUATE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tools/identification/*.cpp))

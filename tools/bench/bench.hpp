@@ -34,6 +34,7 @@ void bench_steps(const std::string& page, int rounds);
 void bench_kernel(int rounds);
 void bench_integer_kernel(int rounds);
 void bench_segmenter(int rounds);
+void bench_rasteriser(const std::string& folder, int rounds); // for enlarged frames; none: no pictures
 void bench_graph_distance(int rounds);
 void bench_straight_skeleton(int rounds);
 void bench_skeletons(int rounds);                           // of testdata/labels_*.png

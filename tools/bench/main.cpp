@@ -4,6 +4,7 @@
 //        bench modeling [FOLDER]       strokes to models alone; label maps whose silhouettes are taken
 //        bench skeletons [ROUNDS]      the 2D skeletons alone
 //        bench kernels [ROUNDS]        the kernels of the networks alone
+//        bench rasteriser [FOLDER]     the frames of a film alone; enlarged ones side by side
 //        bench segmenter [ROUNDS]      the segmentation network alone (against_torch.py calls it in turns
 //        with PyTorch)
 #include <algorithm>
@@ -31,6 +32,10 @@ int main(int argc, char** argv) {
             pantin::bench::bench_modeling(argc > 2 ? argv[2] : "", 5);
             return 0;
         }
+        if (argc > 1 && std::strcmp(argv[1], "rasteriser") == 0) {
+            pantin::bench::bench_rasteriser(argc > 2 ? argv[2] : "", 5);
+            return 0;
+        }
         if (argc > 1 && std::strcmp(argv[1], "skeletons") == 0) {
             pantin::bench::bench_skeletons(rounds);
             return 0;
@@ -39,6 +44,7 @@ int main(int argc, char** argv) {
         pantin::bench::bench_kernel(rounds);
         pantin::bench::bench_integer_kernel(rounds);
         pantin::bench::bench_segmenter(rounds);
+        pantin::bench::bench_rasteriser("", rounds);
         pantin::bench::bench_graph_distance(rounds);
         pantin::bench::bench_straight_skeleton(rounds);
         pantin::bench::bench_skeletons(rounds);
