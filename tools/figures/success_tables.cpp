@@ -202,7 +202,9 @@ std::string results_page(const fs::path& dataset, const fs::path& work, const st
            "an end-effector (limbs as drawn, not connected\npieces, so legs that have grown together need "
            "one each; a "
            "wing that is folded on the body has no end of its own and counts as missed).\n"
-           "The thesis judged every step by eye.\n\n" +
+           "The thesis judged every step by eye. With `thesis` a humanoid's limbs swing towards the viewer "
+           "(6.1), which "
+           "frames hardly show: the parts that its\nbones move were looked at, too.\n\n" +
            success_tables(dataset, work, verdicts);
 }
 
