@@ -109,11 +109,14 @@ link = $(CXX) $(ldflags) $(LDFLAGS) -o $@ $(filter %.o %.a,$^)
 # and writes files, once it is instrumented. Where films and networks spend their time the sanitizers pay off optimised.
 computing_tests := geometry identification modeling network replay skeletonization
 glue := cli/% evaluation/% formats/% pipeline/% modeling/pugixml/% modeling/strokes_% modeling/svg_%
-hot := animation/rasteriser network/kernel_%
+hot := animation/rasteriser animation/film_texture network/kernel_% network/integer/kernel_%
+# Loops over pixels and weights, which vectors make a fifth faster.
+pixel_modules := image network segmentation detection
 objects = $(patsubst %,$(BUILD)/src/%.o,$(1))
 $(BUILD)/tests/%.o: cppflags += -Itests
 $(BUILD)/tests/%.o: cxxflags += -O0
 ifeq ($(config),release)
+$(foreach module,$(pixel_modules),$(BUILD)/src/$(module)/%.o): cxxflags += -O3
 $(foreach module,$(computing_tests),$(BUILD)/tests/$(module)/%.o): cxxflags += -O1
 else ifeq ($(config),sanitize)
 $(call objects,$(glue)): cxxflags += -O0
@@ -136,7 +139,7 @@ LIB_OBJECTS := $(call objects_of,src) $(BUILD)/resources.o
 DOODLE_OBJECTS := $(call objects_of,tools/doodle)
 TORCH_OBJECTS := $(call objects_of,tools/compare_torch)
 FIGURE_OBJECTS := $(call objects_of,tools/figures) $(BUILD)/tools/bench/timing.o
-TEST_OBJECTS := $(call objects_of,tests) $(BUILD)/tests/main.o
+TEST_OBJECTS := $(call objects_of,tests) $(BUILD)/tests/main.o $(BUILD)/tools/bench/sample_renderer.o
 BENCH_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tools/bench/*.cpp))
 COMPARE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tools/compare/*.cpp))
 EVALUATE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tools/identification/*.cpp))
@@ -210,6 +213,7 @@ vectors-files:
 	rm -rf $(vectors_out)/$(vectors_name)
 	$(BUILD)/pantin verify --quiet -o $(vectors_out)/$(vectors_name)
 	cp -r testdata/vectors/README.md weights references $(vectors_out)/$(vectors_name)/
+	rm -r $(vectors_out)/$(vectors_name)/weights/float
 	cd $(vectors_out)/$(vectors_name) && find * -type f | LC_ALL=C sort | xargs sha256sum > ../$(vectors_name).sums
 	mv $(vectors_out)/$(vectors_name).sums $(vectors_out)/$(vectors_name)/SHA256SUMS
 	$(call pack,$(vectors_out),$(vectors_name)) > $(vectors_out)/$(vectors_name).tar.gz

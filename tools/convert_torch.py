@@ -64,7 +64,7 @@ def main():
     for key in ("model", "state_dict"):
         state = state[key] if key in state and isinstance(state[key], dict) else state
     tensors = {renamed(name): value.numpy().astype(np.float16 if args.half else np.float32) for name, value in state.items()
-               if not name.endswith("num_batches_tracked")}
+               if torch.is_tensor(value) and not name.endswith("num_batches_tracked")}
     kind = next((kind for name, kind in KINDS.items() if name in tensors), None)
     if kind is None:
         raise SystemExit(f"{args.state_dict}: neither a Mask R-CNN of torchvision nor SketchParse")

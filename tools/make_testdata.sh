@@ -47,7 +47,7 @@ draw vectors/quadruped/page.png image 22 55 --types quadruped $tiny
 draw vectors/flyer/page.png image 23 52 --types flying $tiny
 # and those of the preset `thesis`: the network leaves a hole in the silhouette of the first one
 mkdir -p "$out/vectors/thesis/hole"
-draw vectors/thesis/hole/page.png image 77 19 --type mixed --size 150 --photo 0 --paper 0 --colour 0 --pen 2 --fill 0.9
+draw vectors/thesis/hole/page.png image 77 110 --type mixed --size 150 --photo 0 --paper 0 --colour 0 --pen 2 --fill 0.9
 tools/make_thesis_pages.py "$out/vectors/thesis"
 
 # a motion for people to follow

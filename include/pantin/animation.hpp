@@ -54,7 +54,7 @@ std::vector<Vec3> vertex_normals(const Mesh& mesh, const std::vector<Vec3>& vert
 struct RenderOptions {
     int size = 512; // longer side of the frame
     bool perspective = false;
-    int supersampling = 3; // per axis, for antialiased edges
+    int supersampling = 4; // samples of a pixel per axis, for antialiased edges; 1 to 5
     Rgba8 background{0, 0, 0, 0};
 };
 // Rectangle of the world that holds every frame of the animation, with a margin.
@@ -80,8 +80,8 @@ public:
     ~FrameRenderer();
     FrameRenderer(FrameRenderer&&) noexcept;
     // One frame, longer side `options.size` pixels. `vertices`: world positions, one a vertex of the rig's
-    // mesh, as from skin(). No error.
-    RgbaImage operator()(const std::vector<Vec3>& vertices) const;
+    // mesh, as from skin(). The bits do not depend on `threads`. No error.
+    RgbaImage operator()(const std::vector<Vec3>& vertices, int threads = 1) const;
 
 private:
     struct Parts;

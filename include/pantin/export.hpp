@@ -27,17 +27,17 @@ std::vector<unsigned char> to_glb(const Rig& rig, const RgbaImage& texture,
                                   const std::vector<BoneAnimation>& animations);
 
 // Film formats by name: src/export/film_formats.hpp. All take one loop of frames of one size, at least one,
-// at `fps` frames a second.
+// at `fps` frames a second. The bytes do not depend on `threads`.
 
 // WebP with transparency; times in whole milliseconds. `quality`: 0 to 100, colours lossy, alpha as it is;
 // none: lossless. Error(usage) in a build without it; Error(internal) without frames. Own, over libwebp.
 std::vector<unsigned char> encode_webp(const std::vector<RgbaImage>& frames, double fps,
-                                       std::optional<int> quality = {});
+                                       std::optional<int> quality = {}, int threads = 1);
 // GIF with one palette of at most 255 colours, drawn where alpha is at least ½; delays are whole 1/100 s of
 // at least 2. Errors as encode_webp(). Own, over giflib.
-std::vector<unsigned char> encode_gif(const std::vector<RgbaImage>& frames, double fps);
+std::vector<unsigned char> encode_gif(const std::vector<RgbaImage>& frames, double fps, int threads = 1);
 // APNG with transparency. Error(internal) without frames. Own, by the PNG specification (third edition).
-std::vector<unsigned char> encode_apng(const std::vector<RgbaImage>& frames, double fps);
+std::vector<unsigned char> encode_apng(const std::vector<RgbaImage>& frames, double fps, int threads = 1);
 // H.264 on white, the loop repeated until it lasts 3 s. Needs the program ffmpeg; Error(output) with its
 // message; Error(internal) without frames. Own, over ffmpeg.
 void write_mp4(const std::filesystem::path& file, const std::vector<RgbaImage>& frames, double fps);

@@ -37,13 +37,24 @@ namespace pantin::network {
 
 // Memory of a tensor. Blocks that tensors give back are kept and used again: the layers of a network need
 // the same few sizes over and over, and fresh memory costs more than many a layer. Each block has spare
-// floats behind its end, so that the last vector may be read whole.
-class Buffer {
+// elements behind its end, so that the last vector may be read whole.
+struct MemoryBlock {
+    void* data = nullptr;
+    std::size_t capacity = 0; // elements of four bytes
+};
+// A block of at least that many elements and the spare ones, whose first spare ones are 0. std::bad_alloc.
+// Own.
+MemoryBlock take_block(std::size_t size);
+void give_back(const MemoryBlock& block) noexcept;
+
+template <class Element> class Buffer {
+    static_assert(sizeof(Element) == 4);
+
 public:
     Buffer() = default; // empty
-    // size: floats of undefined content. std::bad_alloc. Own.
-    explicit Buffer(std::size_t size);
-    Buffer(const Buffer& other);
+    // size: elements of undefined content. std::bad_alloc. Own.
+    explicit Buffer(std::size_t size) : block_(size ? take_block(size) : MemoryBlock{}), size_(size) {}
+    Buffer(const Buffer& other) : Buffer(other.size_) { std::copy(other.begin(), other.end(), begin()); }
     Buffer(Buffer&& other) noexcept
         : block_(std::exchange(other.block_, {})), size_(std::exchange(other.size_, 0)) {}
     Buffer& operator=(Buffer other) noexcept {
@@ -51,36 +62,47 @@ public:
         std::swap(size_, other.size_);
         return *this;
     }
-    ~Buffer();
+    ~Buffer() {
+        if (block_.data) give_back(block_);
+    }
 
-    // size() floats. No errors. Own.
-    float* begin() { return block_.data; }
-    float* end() { return block_.data + size_; }
-    const float* begin() const { return block_.data; }
-    const float* end() const { return block_.data + size_; }
+    // size() elements. No errors. Own.
+    Element* begin() { return static_cast<Element*>(block_.data); }
+    Element* end() { return begin() + size_; }
+    const Element* begin() const { return static_cast<const Element*>(block_.data); }
+    const Element* end() const { return begin() + size_; }
     std::size_t size() const { return size_; }
     bool operator==(const Buffer& other) const {
         return std::equal(begin(), end(), other.begin(), other.end());
     }
 
-    struct Block {
-        float* data = nullptr;
-        std::size_t capacity = 0; // floats
-    };
-
 private:
-    Block block_;
+    MemoryBlock block_;
     std::size_t size_ = 0;
 };
 
-// fp32, row-major [batch][channel][row][column], as PyTorch's contiguous NCHW.
-class Tensor {
+// The number of elements of a tensor. Error(weights) when an extent is negative or there are too many. Own.
+std::size_t element_count(int batch, int channels, int height, int width);
+
+// Row-major [batch][channel][row][column], as PyTorch's contiguous NCHW.
+template <class Element> class BasicTensor {
 public:
-    Tensor() = default; // of no element
+    BasicTensor() = default; // of no element
     // Filled with `value`. Extents ≥ 0. std::bad_alloc. PyTorch's full.
-    Tensor(int batch, int channels, int height, int width, float value = 0);
+    BasicTensor(int batch, int channels, int height, int width, Element value = 0)
+        : BasicTensor(uninitialised(batch, channels, height, width)) {
+        std::fill(begin(), end(), value);
+    }
     // The same with undefined content, for layers that write every element. std::bad_alloc. PyTorch's empty.
-    static Tensor uninitialised(int batch, int channels, int height, int width);
+    static BasicTensor uninitialised(int batch, int channels, int height, int width) {
+        BasicTensor tensor;
+        tensor.data_ = Buffer<Element>(element_count(batch, channels, height, width));
+        tensor.batch_ = batch;
+        tensor.channels_ = channels;
+        tensor.height_ = height;
+        tensor.width_ = width;
+        return tensor;
+    }
 
     // Extents, and the number of elements of a channel and of all. No errors. Own.
     int batch() const { return batch_; }
@@ -90,46 +112,53 @@ public:
     std::size_t plane_size() const { return static_cast<std::size_t>(height_) * width_; }
     std::size_t size() const { return data_.size(); }
     // Whether all four extents are equal. No errors. Own.
-    bool same_shape(const Tensor& other) const;
+    bool same_shape(const BasicTensor& other) const {
+        return batch_ == other.batch_ && channels_ == other.channels_ && height_ == other.height_ &&
+               width_ == other.width_;
+    }
 
-    // A channel of a batch entry, height·width floats by rows; its element at row y, column x; all elements
+    // A channel of a batch entry, height·width elements by rows; its element at row y, column x; all elements
     // in memory order. Indices are not checked. Own.
-    float* plane(int n, int c) {
+    Element* plane(int n, int c) {
         return data_.begin() + (static_cast<std::size_t>(n) * channels_ + c) * plane_size();
     }
-    const float* plane(int n, int c) const {
+    const Element* plane(int n, int c) const {
         return data_.begin() + (static_cast<std::size_t>(n) * channels_ + c) * plane_size();
     }
-    float& operator()(int n, int c, int y, int x) {
+    Element& operator()(int n, int c, int y, int x) {
         return plane(n, c)[static_cast<std::size_t>(y) * width_ + x];
     }
-    float operator()(int n, int c, int y, int x) const {
+    Element operator()(int n, int c, int y, int x) const {
         return plane(n, c)[static_cast<std::size_t>(y) * width_ + x];
     }
-    float* data() { return data_.begin(); }
-    const float* data() const { return data_.begin(); }
+    Element* data() { return data_.begin(); }
+    const Element* data() const { return data_.begin(); }
     auto begin() { return data_.begin(); }
     auto end() { return data_.end(); }
     auto begin() const { return data_.begin(); }
     auto end() const { return data_.end(); }
-    bool operator==(const Tensor&) const = default;
+    bool operator==(const BasicTensor&) const = default;
 
 private:
     int batch_ = 0, channels_ = 0, height_ = 0, width_ = 0;
-    Buffer data_;
+    Buffer<Element> data_;
 };
+
+using Tensor = BasicTensor<float>;
 
 // --- where it runs ---------------------------------------------------------------------------------------
 
-enum class Simd { baseline, avx2, avx512, neon };
-inline constexpr Simd all_simd[] = {Simd::baseline, Simd::avx2, Simd::avx512, Simd::neon};
+// avx512: AVX-512F; vnni: AVX-512F, BW and VNNI; neon_dot: Armv8.2's dot product.
+enum class Simd { baseline, sse41, avx2, avx512, vnni, neon, neon_dot };
+inline constexpr Simd all_simd[] = {Simd::baseline, Simd::sse41, Simd::avx2,    Simd::avx512,
+                                    Simd::vnni,     Simd::neon,  Simd::neon_dot};
 
 // Its name as PANTIN_SIMD takes it. No errors. Own.
 std::string_view name_of(Simd simd);
 // Compiled in, and this processor can run it. No errors. Own.
 bool simd_supported(Simd simd);
-// The fastest supported one. Own. The environment variable PANTIN_SIMD (baseline, avx2, avx512, neon) forces
-// another; an unknown or unsupported value is Error(usage).
+// The fastest supported one. Own. The environment variable PANTIN_SIMD (a name of the above) forces another;
+// an unknown or unsupported value is Error(usage).
 Simd best_simd();
 
 // Threads and instruction set of a forward pass. Results depend on neither.
@@ -149,21 +178,27 @@ public:
     // The first exception of a task is rethrown. One loop at a time. Own.
     void parallel_for(int count, const std::function<void(int)>& task) const;
 
-    // At least `count` floats of undefined content, valid until the next call: the layers' working memory.
-    // std::bad_alloc. Own.
-    float* scratch(std::size_t count) const;
+    // At least `count` elements of four bytes of undefined content, valid until the next call: the layers'
+    // working memory. std::bad_alloc. Own.
+    template <class Element> Element* scratch(std::size_t count) const {
+        static_assert(sizeof(Element) == 4);
+        return static_cast<Element*>(scratch_memory(count));
+    }
 
 private:
+    void* scratch_memory(std::size_t count) const;
+
     Simd simd_;
     std::unique_ptr<ThreadPool> pool_;
-    mutable std::vector<float> scratch_;
+    mutable MemoryBlock scratch_;
 };
 
 // --- weight files ----------------------------------------------------------------------------------------
 
 // The safetensors format (8 bytes of header length, JSON header, tensor bytes), bounds-checked: anything
-// malformed is Error(weights) naming the source and, where there is one, the tensor. Little-endian F32 and
-// F16 tensors can be read; tensors of other types are allowed in the file. The bytes must outlive the object.
+// malformed is Error(weights) naming the source and, where there is one, the tensor. Little-endian F32, F16,
+// I8, U8, I32 and I64 tensors can be read; tensors of other types are allowed in the file. The bytes must
+// outlive the object.
 class WeightFile {
 public:
     // bytes: the whole file; source: its name in messages. Error(weights) when it is malformed. safetensors.
@@ -183,6 +218,11 @@ public:
     // The tensor as floats, row-major. Error(weights) when it is missing, of another shape or type, or has a
     // value that is not finite. safetensors.
     std::vector<float> read(const std::string& name, const std::vector<std::int64_t>& expected_shape) const;
+    // The same of whole numbers. Number: std::int8_t of a tensor of type I8, std::uint8_t of U8, std::int32_t
+    // of I32, std::int64_t of I64. Error(weights) when it is missing or of another shape or type.
+    template <class Number>
+    std::vector<Number> read_integers(const std::string& name,
+                                      const std::vector<std::int64_t>& expected_shape) const;
     // Throws Error(weights): the source and the fact, as every message about this file. Own.
     [[noreturn]] void fail(const std::string& fact) const;
 
@@ -193,6 +233,7 @@ private:
         std::size_t begin = 0, end = 0; // in bytes_
     };
     const Entry& entry(const std::string& name) const;
+    const Entry& entry(const std::string& name, const std::vector<std::int64_t>& expected_shape) const;
     void check_tiling(std::size_t data) const;
 
     std::span<const unsigned char> bytes_;

@@ -30,12 +30,17 @@ enum class SkeletonMethod {
 // Suen), or after the first half that did, as Algorithm 4.1 has it (lines 11 and 21).
 enum class ThinningStop { both, either };
 
+// Where H2 puts a vertex that two become: in the middle, as Eq. 4.2 has it; nearer to the one with more
+// edges; or at the centroid of all vertices that have become one, however many there were.
+enum class MergeWeighting { equal, edges, vertices };
+
 struct SkeletonizationOptions {
     SkeletonMethod method = SkeletonMethod::voronoi;
     Residual residual = Residual::chord; // `thesis`: arc
     double residual_threshold =
         30; // voronoi, chordal; at 321 px, scales with the longer side of the mask (thesis ch. 5)
     double merge_distance = 5; // ε of H2 at 321 px, scales likewise (thesis 4.4)
+    MergeWeighting merge_weighting = MergeWeighting::equal; // Eq. 4.2
     double fill_holes_share =
         0.02; // holes smaller than this share of the shape are filled; `thesis`: 0 (ERRATA 4)
     // A head, limb, tail or wing of at least this share of the shape that no ridge enters gets a branch; 0
@@ -125,8 +130,10 @@ SkeletonGraph extract_graph(const Mask& skeleton, const LabelMap& labels);
 // The graph without ends in head and body, where C_1 to C_3 hold, again and again. No errors. Thesis 4.4, H1,
 // Fig. 4.11 (ERRATA 7).
 SkeletonGraph apply_h1(const SkeletonGraph& graph);
-// The graph with vertices of one label closer than `merge_distance` (pixels) made one in the middle of both,
-// the closest pair first. No errors. Thesis 4.4, H2, Eq. 4.1 and 4.2, Fig. 4.12 (ERRATA 7).
-SkeletonGraph apply_h2(const SkeletonGraph& graph, double merge_distance);
+// The graph with vertices of one label closer than `merge_distance` (pixels) made one, the closest pair
+// first; the weighting says where, in the middle of both unless told otherwise. No errors. Thesis 4.4, H2,
+// Eq. 4.1 and 4.2, Fig. 4.12 (ERRATA 7).
+SkeletonGraph apply_h2(const SkeletonGraph& graph, double merge_distance,
+                       MergeWeighting weighting = MergeWeighting::equal);
 
 } // namespace pantin

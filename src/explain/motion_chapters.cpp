@@ -32,8 +32,9 @@ std::string film_uri(const Rig& rig, const RgbaImage& texture, const std::vector
     std::vector<BoneAnimation> filmed;
     std::transform(animations.begin(), animations.end(), std::back_inserter(filmed), as_filmed);
     const Film film = render_film(rig, filmed.front(), texture, view_of(rig, filmed), settings);
-    if (webp_available()) return data_uri("image/webp", encode_webp(film.frames, film.fps));
-    return data_uri("image/apng", encode_apng(film.frames, film.fps));
+    if (webp_available())
+        return data_uri("image/webp", encode_webp(film.frames, film.fps, {}, settings.threads));
+    return data_uri("image/apng", encode_apng(film.frames, film.fps, settings.threads));
 }
 
 std::string clip_options(const std::vector<BoneAnimation>& animations) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/thread_pool.hpp"
 #include "export/frame_times.hpp"
 #include "pantin/error.hpp"
 #include "pantin/export.hpp"
@@ -83,12 +84,17 @@ Bytes frame_control(std::uint32_t number, const RgbaImage& frame, int delay) {
 
 } // namespace
 
-std::vector<unsigned char> encode_apng(const std::vector<RgbaImage>& frames, double fps) {
+std::vector<unsigned char> encode_apng(const std::vector<RgbaImage>& frames, double fps, int threads) {
     if (frames.empty()) throw Error(ErrorKind::internal, "an animation without frames");
+    std::vector<Bytes> pictures(frames.size());
+    parallel_for(threads, static_cast<int>(frames.size()), [&](int frame) {
+        const auto i = static_cast<std::size_t>(frame);
+        pictures[i] = encode_png(frames[i]);
+    });
     Bytes out;
     std::uint32_t number = 0;
     for (std::size_t i = 0; i < frames.size(); ++i) {
-        const Bytes png = encode_png(frames[i]);
+        const Bytes& png = pictures[i];
         if (i == 0) {
             out.assign(png.begin(), png.begin() + signature_size);
             put_chunk(out, "IHDR", contents(png, "IHDR"));

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "core/file.hpp"
+#include "core/thread_pool.hpp"
 #include "pantin/export.hpp"
 #include "pantin/image.hpp"
 #include "pantin/motion.hpp"
@@ -19,29 +20,33 @@ namespace fs = std::filesystem;
 namespace {
 
 using Frames = std::vector<RgbaImage>;
-using Encoder = std::vector<unsigned char>(const Frames& frames, double fps);
+using Encoder = std::vector<unsigned char>(const Frames& frames, double fps, int threads);
 
 template <Encoder encode>
-void write_encoded(const fs::path& file, const Frames& frames, double fps, std::optional<int>) {
-    write_file(file, encode(frames, fps));
+void write_encoded(const fs::path& file, const Frames& frames, double fps, std::optional<int>, int threads) {
+    write_file(file, encode(frames, fps, threads));
 }
-void write_webp(const fs::path& file, const Frames& frames, double fps, std::optional<int> quality) {
-    write_file(file, encode_webp(frames, fps, quality));
+void write_webp(const fs::path& file, const Frames& frames, double fps, std::optional<int> quality,
+                int threads) {
+    write_file(file, encode_webp(frames, fps, quality, threads));
 }
 
-void write_film_as_mp4(const fs::path& file, const Frames& frames, double fps, std::optional<int>) {
+void write_film_as_mp4(const fs::path& file, const Frames& frames, double fps, std::optional<int>, int) {
     write_mp4(file, frames, fps);
 }
 
 // folder/0001.png, 0002.png, …
-void write_frames(const fs::path& folder, const Frames& frames, double, std::optional<int>) {
+void write_frames(const fs::path& folder, const Frames& frames, double, std::optional<int>, int threads) {
     create_folder(folder);
     const auto file = [&](std::size_t number) {
         char name[32];
         std::snprintf(name, sizeof name, "%04zu.png", number);
         return folder / name;
     };
-    for (std::size_t i = 0; i < frames.size(); ++i) save_png(file(i + 1), frames[i]);
+    parallel_for(threads, static_cast<int>(frames.size()), [&](int frame) {
+        const auto i = static_cast<std::size_t>(frame);
+        save_png(file(i + 1), frames[i]);
+    });
     // Frames of a longer clip that was written here before would be shown after these.
     std::error_code ignored;
     for (std::size_t i = frames.size() + 1; fs::remove(file(i), ignored); ++i) {

@@ -23,9 +23,10 @@ struct FilmFormat {
     std::string_view ending;          // of the file, with its dot; empty: a folder of frames
     Default written = Default::never; // without `--format`, where available
     // One of the two. `film`: one loop of frames at `fps` frames a second into the file or folder; `quality`,
-    // where the format has one: 0 to 100, none: lossless. Error(output): cannot be written.
+    // where the format has one: 0 to 100, none: lossless. The bytes do not depend on `threads`.
+    // Error(output): cannot be written.
     void (*film)(const std::filesystem::path& path, const std::vector<RgbaImage>& frames, double fps,
-                 std::optional<int> quality) = nullptr;
+                 std::optional<int> quality, int threads) = nullptr;
     // `motion`: the text of a file that has no pictures.
     std::string (*motion)(const Rig& rig, const BoneAnimation& animation) = nullptr;
     bool (*available)() = nullptr; // nullptr: in every build

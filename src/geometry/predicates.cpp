@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Exact signs of determinants of integer points (Guibas & Stolfi 1985, CCW and InCircle), in 64 or 128 bits.
+#include "geometry/wide_integer.hpp"
 #include "pantin/geometry.hpp"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ int in_circle(Point2i a, Point2i b, Point2i c, Point2i d) {
     constexpr int small = 1 << 14;
     if (reach(a, d) < small && reach(b, d) < small && reach(c, d) < small)
         return in_circle_as<std::int64_t>(a, b, c, d);
-    return in_circle_as<__int128>(a, b, c, d);
+    return in_circle_as<WideInteger>(a, b, c, d);
 }
 
 } // namespace pantin

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The Voronoi diagram as the dual of the Delaunay triangulation (thesis Def. 3.4.1): points and triangles in,
 // edges between circumcentres out.
+#include "geometry/wide_integer.hpp"
 #include "pantin/geometry.hpp"
 
 namespace pantin {
 namespace {
 
-__int128 greatest_common_divisor(__int128 a, __int128 b) {
+WideInteger greatest_common_divisor(WideInteger a, WideInteger b) {
     if (a < 0) a = -a;
     while (b != 0) {
-        const __int128 r = a % b;
+        const WideInteger r = a % b;
         a = b;
         b = r;
     }
@@ -19,10 +20,10 @@ __int128 greatest_common_divisor(__int128 a, __int128 b) {
 // numerator / denominator, denominator > 0. A function of the rational number alone, however it is written,
 // so that cocircular triangles get the same centre to the bit: both sides are exact doubles, or else reduced
 // first.
-double quotient(__int128 numerator, __int128 denominator) {
-    constexpr __int128 exact = static_cast<__int128>(1) << 53;
+double quotient(WideInteger numerator, WideInteger denominator) {
+    constexpr WideInteger exact = std::int64_t{1} << 53;
     if (numerator > exact || numerator < -exact || denominator > exact) {
-        const __int128 divisor = greatest_common_divisor(numerator, denominator);
+        const WideInteger divisor = greatest_common_divisor(numerator, denominator);
         numerator /= divisor;
         denominator /= divisor;
     }
@@ -35,9 +36,9 @@ Point2d circumcentre(Point2i a, Point2i b, Point2i c) {
     const auto squared = [](Point2i p) {
         return static_cast<std::int64_t>(p.x) * p.x + static_cast<std::int64_t>(p.y) * p.y;
     };
-    const __int128 aa = squared(a), bb = squared(b), cc = squared(c);
+    const WideInteger aa = squared(a), bb = squared(b), cc = squared(c);
     const std::int64_t ax = a.x, ay = a.y, bx = b.x, by = b.y, cx = c.x, cy = c.y;
-    const __int128 denominator = 2 * (ax * (by - cy) + bx * (cy - ay) + cx * (ay - by));
+    const WideInteger denominator = 2 * (ax * (by - cy) + bx * (cy - ay) + cx * (ay - by));
     return {quotient(aa * (by - cy) + bb * (cy - ay) + cc * (ay - by), denominator),
             quotient(aa * (cx - bx) + bb * (ax - cx) + cc * (bx - ax), denominator)};
 }

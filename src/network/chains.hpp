@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What convolution and transposed convolution share: filters packed for the kernel, and one pass of the
 // kernel over a padded image.
-//
-// A convolution of any stride and dilation becomes "for every tap, a shifted plane": the padded input is
-// split into stride² phase planes (rows and columns modulo the stride), so that neighbouring outputs read
-// neighbouring floats and a tap is one fixed offset. Vectors run along an output row, or, where rows are no
-// whole number of vectors, through the padded rows as one line whose few surplus results are dropped.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
-#include "pantin/network.hpp"
+#include "network/pass.hpp"
 
 namespace pantin::network {
 
@@ -40,18 +35,6 @@ template <class Weight> PackedFilters pack(int out, int in_per_group, int groups
     return packed;
 }
 
-// A tap reads the input at row y·stride + dy, column x·stride + dx of the padded image, dy and dx ≥ 0.
-struct Tap {
-    int dy = 0, dx = 0;
-};
-struct Pass {
-    int out_height = 0, out_width = 0; // of the grid of outputs that this pass computes
-    int stride = 1;                    // of the input
-    int top = 0, left = 0;             // zero rows and columns before the image
-    std::vector<Tap> taps;
-    bool relu = false;
-    int step = 1, row = 0, column = 0; // output (y, x) of the grid goes to (y·step + row, x·step + column)
-};
 void run_pass(const Tensor& input, int n, const PackedFilters& filters, const std::vector<float>& bias,
               const Pass& pass, const Runtime& runtime, Tensor& output);
 

@@ -6,13 +6,12 @@
 #include <cstddef>
 
 #include "network/fused.hpp"
+#include "network/vector_width.hpp"
 
 namespace pantin::network {
 
 // At most this many output channels are computed at once: rows × vectors accumulators stay in registers.
 inline constexpr int max_rows = 6;
-// No vector is wider; buffers end with this many spare floats so that the last vector may be read whole.
-inline constexpr int max_vector_width = 16;
 
 // Chains of `rows` output channels at `vectors` places:
 //     acc[r][v][lane] = bias[r];

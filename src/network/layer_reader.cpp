@@ -68,7 +68,7 @@ TransposedConvolution LayerReader::transposed_convolution(const std::string& nam
     return {std::move(filters), options};
 }
 
-Linear LayerReader::linear(const std::string& name, int in) const {
+Linear LayerReader::linear(const std::string& name, int in, int) const {
     const int out = extent(name + ".weight", 2, 0);
     return {out, in, file.read(name + ".weight", {out, in}), file.read(name + ".bias", {out})};
 }

@@ -19,11 +19,17 @@ struct LayerReader {
     // is the batch normalisation behind it ("": none), folded in. `in` is the number of channels that arrive.
     Convolution convolution(const std::string& conv, const std::string& norm, int in,
                             const ConvolutionOptions& options) const;
+    // The same: what is added comes after it (integer::LayerReader needs to know).
+    Convolution adding_convolution(const std::string& conv, const std::string& norm, int in,
+                                   const ConvolutionOptions& options) const {
+        return convolution(conv, norm, in, options);
+    }
     // `<name>.weight` of shape [in, out, height, width], `<name>.bias`.
     TransposedConvolution transposed_convolution(const std::string& name, int in,
                                                  const ConvolutionOptions& options) const;
-    // `<name>.weight` of shape [out, in], `<name>.bias`.
-    Linear linear(const std::string& name, int in) const;
+    // `<name>.weight` of shape [out, in], `<name>.bias`. (places: what integer::LayerReader needs.)
+    Linear linear(const std::string& name, int in, int places = 1) const;
+    Linear real_linear(const std::string& name, int in) const { return linear(name, in); }
 
     // Extent of one dimension of a tensor that must have `rank` of them.
     int extent(const std::string& tensor, std::size_t rank, std::size_t dimension) const;

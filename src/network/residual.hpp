@@ -1,24 +1,43 @@
 // SPDX-License-Identifier: MIT
-// The residual block of He et al. 2016, whatever is in its branch.
+// The residual block of He et al. 2016, Fig. 2 (thesis Fig. 4.4), whatever is in its branch.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "pantin/network.hpp"
+#include "network/arithmetic.hpp"
 
 namespace pantin::network {
 
 // relu(shortcut(x) + branch(x)). The branch's last layer has no activation of its own; the shortcut is the
 // identity or a 1×1 convolution.
-struct ResidualBlock {
-    std::vector<Convolution> branch;
-    std::optional<Convolution> downsample;
+template <class Arithmetic> struct BasicResidualBlock {
+    using Map = typename Arithmetic::Map;
+    std::vector<typename Arithmetic::Convolution> branch;
+    std::optional<typename Arithmetic::Convolution> downsample;
 
-    Tensor forward(const Tensor& x, const Runtime& runtime) const;
+    Map forward(const Map& x, const Runtime& runtime) const {
+        Map y;
+        const Map* last = &x;
+        for (std::size_t i = 0; i + 1 < branch.size(); ++i) {
+            y = branch[i].forward(*last, runtime);
+            last = &y;
+        }
+        if (downsample) return add_relu(branch.back(), *last, downsample->forward(x, runtime), runtime);
+        return add_relu(branch.back(), *last, x, runtime);
+    }
     int out_channels() const { return branch.back().out_channels(); }
 };
+using ResidualBlock = BasicResidualBlock<RealArithmetic>;
 
-Tensor forward(const std::vector<ResidualBlock>& blocks, const Tensor& x, const Runtime& runtime); // none: x
+// One after the other; none: x.
+template <class Arithmetic>
+typename Arithmetic::Map forward(const std::vector<BasicResidualBlock<Arithmetic>>& blocks,
+                                 const typename Arithmetic::Map& x, const Runtime& runtime) {
+    if (blocks.empty()) return x;
+    typename Arithmetic::Map y = blocks[0].forward(x, runtime);
+    for (std::size_t i = 1; i < blocks.size(); ++i) y = blocks[i].forward(y, runtime);
+    return y;
+}
 
 } // namespace pantin::network

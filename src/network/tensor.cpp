@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Memory of tensors: blocks that are given back are kept for the next layer. Ours.
-#include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <mutex>
 #include <new>
 
-#include "network/kernel.hpp"
+#include "network/vector_width.hpp"
 #include "pantin/error.hpp"
 #include "pantin/network.hpp"
 
@@ -17,10 +17,11 @@ namespace pantin::network {
 
 namespace {
 
-using Block = Buffer::Block;
+using Block = MemoryBlock;
 
 constexpr std::size_t most_kept = std::size_t{24} << 20; // bytes
 constexpr std::size_t alignment = 64;                    // a cache line, and the widest vector
+constexpr std::size_t element = 4;                       // bytes
 
 // Blocks that no tensor holds at the moment.
 class Store {
@@ -40,8 +41,8 @@ public:
                 return block;
             }
         }
-        const std::size_t bytes = (capacity * sizeof(float) + alignment - 1) / alignment * alignment;
-        auto* data = static_cast<float*>(std::aligned_alloc(alignment, bytes));
+        const std::size_t bytes = (capacity * element + alignment - 1) / alignment * alignment;
+        void* data = std::aligned_alloc(alignment, bytes);
         if (!data) throw std::bad_alloc();
         return {data, capacity};
     }
@@ -53,7 +54,7 @@ public:
     }
 
 private:
-    static std::size_t bytes_of(const Block& block) { return block.capacity * sizeof(float); }
+    static std::size_t bytes_of(const Block& block) { return block.capacity * element; }
 
     std::mutex mutex_;
     std::multimap<std::size_t, Block> blocks_; // by capacity
@@ -68,21 +69,15 @@ Store& store() {
 
 } // namespace
 
-Buffer::Buffer(std::size_t size) : size_(size) {
-    if (size == 0) return;
-    block_ = store().take(size + max_vector_width);
-    std::fill_n(block_.data + size, max_vector_width, 0.0f);
+MemoryBlock take_block(std::size_t size) {
+    const MemoryBlock block = store().take(size + max_vector_width);
+    std::memset(static_cast<unsigned char*>(block.data) + size * element, 0, max_vector_width * element);
+    return block;
 }
 
-Buffer::Buffer(const Buffer& other) : Buffer(other.size_) { std::copy(other.begin(), other.end(), begin()); }
+void give_back(const MemoryBlock& block) noexcept { store().give_back(block); }
 
-Buffer::~Buffer() {
-    if (block_.data) store().give_back(block_);
-}
-
-// --- tensors ---------------------------------------------------------------------------------------------
-
-Tensor Tensor::uninitialised(int batch, int channels, int height, int width) {
+std::size_t element_count(int batch, int channels, int height, int width) {
     if (batch < 0 || channels < 0 || height < 0 || width < 0)
         throw Error(ErrorKind::weights, "a network layer's result would have a negative extent");
     std::size_t count = 1;
@@ -92,23 +87,7 @@ Tensor Tensor::uninitialised(int batch, int channels, int height, int width) {
             throw Error(ErrorKind::weights, "a network layer's result would be too large");
         count *= static_cast<std::size_t>(extent);
     }
-    Tensor tensor;
-    tensor.batch_ = batch;
-    tensor.channels_ = channels;
-    tensor.height_ = height;
-    tensor.width_ = width;
-    tensor.data_ = Buffer(count);
-    return tensor;
-}
-
-Tensor::Tensor(int batch, int channels, int height, int width, float value)
-    : Tensor(uninitialised(batch, channels, height, width)) {
-    std::fill(begin(), end(), value);
-}
-
-bool Tensor::same_shape(const Tensor& other) const {
-    return batch_ == other.batch_ && channels_ == other.channels_ && height_ == other.height_ &&
-           width_ == other.width_;
+    return count;
 }
 
 } // namespace pantin::network

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <set>
+#include <type_traits>
 
 #include "core/json.hpp"
 #include "pantin/error.hpp"
@@ -173,11 +175,17 @@ const std::string& WeightFile::metadata(const std::string& key) const {
     return found->second;
 }
 
-std::vector<float> WeightFile::read(const std::string& name,
-                                    const std::vector<std::int64_t>& expected) const {
+const WeightFile::Entry& WeightFile::entry(const std::string& name,
+                                           const std::vector<std::int64_t>& expected) const {
     const Entry& tensor = entry(name);
     if (tensor.shape != expected)
         fail("tensor '" + name + "' has shape " + text(tensor.shape) + ", not " + text(expected));
+    return tensor;
+}
+
+std::vector<float> WeightFile::read(const std::string& name,
+                                    const std::vector<std::int64_t>& expected) const {
+    const Entry& tensor = entry(name, expected);
     if (tensor.type != "F32" && tensor.type != "F16")
         fail("tensor '" + name + "' is " + tensor.type + ", not F32 or F16");
     const int width = tensor.type == "F32" ? 4 : 2;
@@ -190,5 +198,29 @@ std::vector<float> WeightFile::read(const std::string& name,
     }
     return values;
 }
+
+template <class Number>
+std::vector<Number> WeightFile::read_integers(const std::string& name,
+                                              const std::vector<std::int64_t>& expected) const {
+    const std::string type = (std::is_signed_v<Number> ? "I" : "U") + std::to_string(8 * sizeof(Number));
+    const Entry& tensor = entry(name, expected);
+    if (tensor.type != type) fail("tensor '" + name + "' is " + tensor.type + ", not " + type);
+    std::vector<Number> values((tensor.end - tensor.begin) / sizeof(Number));
+    if constexpr (sizeof(Number) == 1)
+        std::memcpy(values.data(), bytes_.data() + tensor.begin, values.size());
+    else
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = static_cast<Number>(
+                little_endian(bytes_.data() + tensor.begin + i * sizeof(Number), sizeof(Number)));
+    return values;
+}
+template std::vector<std::int8_t> WeightFile::read_integers(const std::string&,
+                                                            const std::vector<std::int64_t>&) const;
+template std::vector<std::uint8_t> WeightFile::read_integers(const std::string&,
+                                                             const std::vector<std::int64_t>&) const;
+template std::vector<std::int32_t> WeightFile::read_integers(const std::string&,
+                                                             const std::vector<std::int64_t>&) const;
+template std::vector<std::int64_t> WeightFile::read_integers(const std::string&,
+                                                             const std::vector<std::int64_t>&) const;
 
 } // namespace pantin::network

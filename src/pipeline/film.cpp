@@ -58,21 +58,24 @@ Film render_film(const Rig& rig, const BoneAnimation& animation, const RgbaImage
                  const Settings& settings) {
     Film film = blank_film(animation.duration, settings.render.fps);
     const FrameRenderer renderer(rig, texture, view, settings.render.picture);
-    parallel_for(settings.threads, static_cast<int>(film.frames.size()), [&](int frame) {
+    const auto count = static_cast<int>(film.frames.size());
+    const int of_a_frame = count < settings.threads ? settings.threads / count : 1; // threads
+    parallel_for(settings.threads, count, [&](int frame) {
         const auto i = static_cast<std::size_t>(frame);
         const double time =
             animation.duration * static_cast<double>(i) / static_cast<double>(film.frames.size());
-        film.frames[i] = renderer(skin(rig, animation, time));
+        film.frames[i] = renderer(skin(rig, animation, time), of_a_frame);
     });
     return film;
 }
 
 void write_film(const Film& film, const fs::path& folder, const std::string& stem,
-                const fs::path& frames_folder, const RenderRequest& request, bool first) {
+                const fs::path& frames_folder, const Settings& settings, bool first) {
+    const RenderRequest& request = settings.render;
     for (const FilmFormat& format : film_formats())
         if (format.film && wants(request, format, first))
             format.film(format.ending.empty() ? frames_folder : folder / (stem + std::string(format.ending)),
-                        film.frames, film.fps, request.quality);
+                        film.frames, film.fps, request.quality, settings.threads);
 }
 
 void write_motions(const Rig& rig, const BoneAnimation& animation, const fs::path& folder,

@@ -30,9 +30,10 @@ Film blank_film(double duration, double fps);
 Film render_film(const Rig& rig, const BoneAnimation& animation, const RgbaImage& texture, const View& view,
                  const Settings& settings);
 
-// Writes folder/<stem>.webp and so on in the wanted formats; PNG frames go to `frames_folder`.
+// Writes folder/<stem>.webp and so on in the formats that the settings want; PNG frames go to
+// `frames_folder`. Threads share out the frames of each.
 void write_film(const Film& film, const std::filesystem::path& folder, const std::string& stem,
-                const std::filesystem::path& frames_folder, const RenderRequest& request, bool first);
+                const std::filesystem::path& frames_folder, const Settings& settings, bool first);
 
 // Writes folder/<stem>.bvh and so on in the wanted formats that have no pictures.
 void write_motions(const Rig& rig, const BoneAnimation& animation, const std::filesystem::path& folder,

@@ -107,6 +107,7 @@ template <class Visitor> void visit_skeletonization(SkeletonizationOptions& o, V
     visit("skeletonization.residual", o.residual, {"arc", "chord"});
     visit("skeletonization.residual_threshold", o.residual_threshold, 0, 10000);
     visit("skeletonization.merge_distance", o.merge_distance, 0, 10000);
+    visit("skeletonization.merge_weighting", o.merge_weighting, {"equal", "edges", "vertices"});
     visit("skeletonization.fill_holes_share", o.fill_holes_share, 0, 1);
     visit("skeletonization.recover_parts_share", o.recover_parts_share, 0, 1);
     visit("skeletonization.cut_cycles", o.cut_cycles);

@@ -97,8 +97,8 @@ void run_steps(Character& c, const fs::path& folder, Step first, Step last, Cont
             write_motions(c.rig, clip.animation, folder, clip.stem, settings.render, clip.first);
             if (!wants_pictures(settings.render)) continue;
             const Film film = render_film(c.rig, clip.filmed, c.texture, clip.view, settings);
-            write_film(film, folder, clip.stem, folder / file_names::frames / clip.animation.name,
-                       settings.render, clip.first);
+            write_film(film, folder, clip.stem, folder / file_names::frames / clip.animation.name, settings,
+                       clip.first);
         }
         c.reached = Step::render;
     }

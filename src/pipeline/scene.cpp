@@ -176,8 +176,7 @@ void render_scene(const RgbImage& page_picture, const std::filesystem::path& out
             put_over(picture, places[k].renderer(pose_of(figures[k], share)), places[k].x, places[k].y);
         film.frames[i] = std::move(picture);
     });
-    write_film(film, out, file_names::scene, out / file_names::frames / file_names::scene, settings.render,
-               true);
+    write_film(film, out, file_names::scene, out / file_names::frames / file_names::scene, settings, true);
 }
 
 } // namespace pantin

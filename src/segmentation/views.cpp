@@ -37,19 +37,39 @@ Tensor mirrored_pose(const Tensor& pose) {
     return result;
 }
 
-// The bilinear value of a plane at (x, y), whose surroundings are `outside`.
-float sample(const float* plane, int side, double x, double y, float outside) {
+// Where (x, y) lies between four pixels of a square.
+struct Place {
+    int column = 0, row = 0; // of the upper left one
+    double u = 0, v = 0;     // to the right of it, below it
+    bool reaches = false;    // whether one of the four is in the square
+    bool is_inside = false;  // whether all of them are
+};
+Place place_of(double x, double y, int side) {
     const double left = std::floor(x), top = std::floor(y);
-    if (left < -1 || top < -1 || left >= side || top >= side) return outside;
-    const int x0 = static_cast<int>(left), y0 = static_cast<int>(top);
+    if (left < -1 || top < -1 || left >= side || top >= side) return {};
+    const int column = static_cast<int>(left), row = static_cast<int>(top);
+    return {column,  row,  x - left,
+            y - top, true, column >= 0 && row >= 0 && column + 1 < side && row + 1 < side};
+}
+
+// The bilinear value of a plane there, whose surroundings are `outside`.
+float sample(const float* plane, int side, const Place& place, float outside) {
+    if (!place.reaches) return outside;
+    const auto bilinear = [&](double a, double b, double c, double d) {
+        return static_cast<float>((1 - place.v) * ((1 - place.u) * a + place.u * b) +
+                                  place.v * ((1 - place.u) * c + place.u * d));
+    };
     const auto at = [&](int column, int row) {
         return column >= 0 && row >= 0 && column < side && row < side
-                   ? static_cast<double>(plane[static_cast<std::size_t>(row) * side + column])
-                   : static_cast<double>(outside);
+                   ? plane[static_cast<std::size_t>(row) * side + column]
+                   : outside;
     };
-    const double u = x - left, v = y - top;
-    return static_cast<float>((1 - v) * ((1 - u) * at(x0, y0) + u * at(x0 + 1, y0)) +
-                              v * ((1 - u) * at(x0, y0 + 1) + u * at(x0 + 1, y0 + 1)));
+    if (place.is_inside) {
+        const float* first = plane + static_cast<std::size_t>(place.row) * side + place.column;
+        return bilinear(first[0], first[1], first[side], first[side + 1]);
+    }
+    return bilinear(at(place.column, place.row), at(place.column + 1, place.row),
+                    at(place.column, place.row + 1), at(place.column + 1, place.row + 1));
 }
 
 // Asks that expert about the view and brings its answer back to the drawing.
@@ -137,8 +157,9 @@ Tensor tilted(const Tensor& ink, const Tilt& tilt) {
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
             const double u = x - tilt.shift_x, v = y - tilt.shift_y;
-            view(0, 0, y, x) = sample(ink.plane(0, 0), side, (tilt.cosine * u + tilt.sine * v) / squared,
-                                      (tilt.cosine * v - tilt.sine * u) / squared, 0);
+            const Place place = place_of((tilt.cosine * u + tilt.sine * v) / squared,
+                                         (tilt.cosine * v - tilt.sine * u) / squared, side);
+            view(0, 0, y, x) = sample(ink.plane(0, 0), side, place, 0);
         }
     return view;
 }
@@ -146,12 +167,13 @@ Tensor tilted(const Tensor& ink, const Tilt& tilt) {
 Tensor straightened(const Tensor& parts, const Tilt& tilt) {
     const int side = parts.width();
     Tensor result = Tensor::uninitialised(1, parts.channels(), side, side);
-    for (int c = 0; c < parts.channels(); ++c)
-        for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x)
-                result(0, c, y, x) =
-                    sample(parts.plane(0, c), side, tilt.cosine * x - tilt.sine * y + tilt.shift_x,
-                           tilt.sine * x + tilt.cosine * y + tilt.shift_y, c == 0 ? 1.0f : 0.0f);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const Place place = place_of(tilt.cosine * x - tilt.sine * y + tilt.shift_x,
+                                         tilt.sine * x + tilt.cosine * y + tilt.shift_y, side);
+            for (int c = 0; c < parts.channels(); ++c)
+                result(0, c, y, x) = sample(parts.plane(0, c), side, place, c == 0 ? 1.0f : 0.0f);
+        }
     return result;
 }
 

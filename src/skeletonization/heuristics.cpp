@@ -63,12 +63,18 @@ std::vector<Point2i> reach(std::vector<Point2i> pixels, Point2i from, Point2i to
     return pixels;
 }
 
-// Moves vertex i to the middle between i and j and hands it the edges of j. No loops; of double edges the
-// shorter stays (the first of equals).
-SkeletonGraph merge(SkeletonGraph graph, int i, int j) {
-    SkeletonVertex& kept = graph.vertices[i];
-    kept.x = (kept.x + graph.vertices[j].x) / 2;
-    kept.y = (kept.y + graph.vertices[j].y) / 2;
+// Eq. 4.2 for equal weights; the middle, too, where both are 0 (vertices without an edge).
+Point2d weighted_middle(const SkeletonVertex& a, int weight_a, const SkeletonVertex& b, int weight_b) {
+    if (weight_a == weight_b) return {(a.x + b.x) / 2, (a.y + b.y) / 2};
+    const double sum = weight_a + weight_b;
+    return {(weight_a * a.x + weight_b * b.x) / sum, (weight_a * a.y + weight_b * b.y) / sum};
+}
+
+// Moves vertex i to the place and hands it the edges of j. No loops; of double edges the shorter stays (the
+// first of equals).
+SkeletonGraph merge(SkeletonGraph graph, int i, int j, Point2d place) {
+    graph.vertices[i].x = place.x;
+    graph.vertices[i].y = place.y;
     std::map<std::pair<int, int>, SkeletonEdge> edges;
     for (SkeletonEdge& edge : graph.edges) {
         const int u = edge.u == j ? i : edge.u, v = edge.v == j ? i : edge.v;
@@ -108,12 +114,19 @@ SkeletonGraph apply_h1(const SkeletonGraph& graph) {
     }
 }
 
-SkeletonGraph apply_h2(const SkeletonGraph& graph, double merge_distance) {
+SkeletonGraph apply_h2(const SkeletonGraph& graph, double merge_distance, MergeWeighting weighting) {
     SkeletonGraph result = graph;
+    std::vector<int> merged(graph.vertices.size(), 1); // vertices that have become this one
     for (;;) {
         const auto [i, j] = closest_pair(result.vertices, merge_distance);
         if (i < 0) return result;
-        result = merge(std::move(result), i, j);
+        std::vector<int> weights(merged.size(), 1);
+        if (weighting == MergeWeighting::edges) weights = vertex_degrees(result);
+        if (weighting == MergeWeighting::vertices) weights = merged;
+        const Point2d place = weighted_middle(result.vertices[i], weights[i], result.vertices[j], weights[j]);
+        result = merge(std::move(result), i, j, place);
+        merged[i] += merged[j];
+        merged.erase(merged.begin() + j);
     }
 }
 

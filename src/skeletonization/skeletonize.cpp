@@ -87,7 +87,7 @@ void find_graph(Skeletonization& s, const BorderSites& sites, const LabelMap& pa
     if (options.cut_cycles) s.skeleton = cut_cycles(s.skeleton, parts, options.merge_distance * scale);
     s.raw = extract_graph(s.skeleton, parts);
     s.after_h1 = apply_h1(s.raw);
-    s.graph = apply_h2(s.after_h1, options.merge_distance * scale);
+    s.graph = apply_h2(s.after_h1, options.merge_distance * scale, options.merge_weighting);
 }
 
 } // namespace

@@ -120,7 +120,8 @@ Files h1(const StageContext& c) {
 Files h2(const StageContext& c) {
     const double distance = merge_distance(c.grey(character_path + file_names::labels), c);
     return {{character_path + file_names::skeleton,
-             skeleton_to_json(apply_h2(graph_of(c, trace_path + file_names::trace_skeleton_h1), distance))}};
+             skeleton_to_json(apply_h2(graph_of(c, trace_path + file_names::trace_skeleton_h1), distance,
+                                       c.options.skeletonization.merge_weighting))}};
 }
 
 Files skeleton(const StageContext& c) {

@@ -56,6 +56,47 @@ TEST_CASE("WebP times are rounded from the start, so a clip keeps its length", "
     CHECK(total == 400);
 }
 
+TEST_CASE(
+    "A film on a page stores what changes; a pause, a turn back and a last frame like the first survive",
+    "[export][needs-webp]") {
+    std::vector<RgbaImage> frames = walking_disc(4);
+    for (RgbaImage& frame : frames)
+        for (int y = 0; y < frame.height(); ++y)
+            for (int x = 0; x < frame.width(); ++x)
+                if (frame(x, y).a < 255)
+                    frame(x, y) = {static_cast<std::uint8_t>(7 * x * y),
+                                   static_cast<std::uint8_t>(90 + 3 * x),
+                                   static_cast<std::uint8_t>(x * x + 5 * y), 255};
+    frames.insert(frames.begin() + 2, frames[1]); // shown twice as long
+    frames.push_back(frames[2]);
+    frames.push_back(frames[0]);
+    const Film film = read_webp(encode_webp(frames, 25));
+    frames.erase(frames.begin() + 2);
+    CHECK(film.frames == frames);
+    CHECK(film.delays == std::vector<int>{40, 80, 40, 40, 40, 40});
+}
+
+TEST_CASE("A film that never changes is one picture", "[export][needs-webp]") {
+    const RgbaImage frame = walking_disc(1)[0];
+    RgbaImage wanted = frame;
+    for (Rgba8& c : wanted)
+        if (c.a == 0) c = {0, 0, 0, 0};
+    const Film film = read_webp(encode_webp({frame, frame, frame}, 25));
+    REQUIRE(film.frames.size() == 1);
+    CHECK(film.frames[0] == wanted);
+    const Film nothing = read_webp(encode_webp({RgbaImage(9, 7), RgbaImage(9, 7)}, 25));
+    REQUIRE(nothing.frames.size() == 1);
+    CHECK(nothing.frames[0] == RgbaImage(9, 7));
+}
+
+TEST_CASE("Films are the same bytes for any number of threads", "[export]") {
+    const std::vector<RgbaImage> frames = walking_disc(7);
+    CHECK(encode_apng(frames, 25, 3) == encode_apng(frames, 25));
+    if (webp_available()) CHECK(encode_webp(frames, 25, {}, 3) == encode_webp(frames, 25));
+    if (webp_available()) CHECK(encode_webp(frames, 25, 80, 3) == encode_webp(frames, 25, 80));
+    if (gif_available()) CHECK(encode_gif(frames, 25, 3) == encode_gif(frames, 25));
+}
+
 TEST_CASE("The same frames encode to the same WebP", "[export][needs-webp]") {
     CHECK(encode_webp(walking_disc(3), 25) == encode_webp(walking_disc(3), 25));
 }

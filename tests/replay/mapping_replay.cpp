@@ -87,16 +87,20 @@ Shape modelled(const ReferenceSkeleton& reference) {
     return shape;
 }
 
-// The places along the shortest way; of all ways without a vertex twice.
-std::vector<Point2d> path(const Shape& shape, int from, int to) {
-    std::vector<int> way, best;
+// The edges of the shortest way without a vertex twice; of all of them where a cycle has two sides of one
+// length, which the thesis leaves open (ERRATA 15).
+std::vector<std::vector<int>> shortest_ways(const Shape& shape, int from, int to) {
+    constexpr double equal = 1e-9;
+    std::vector<std::vector<int>> best;
+    std::vector<int> way;
     std::vector<bool> seen(shape.places.size(), false);
     double shortest = 1e300;
     const std::function<void(int, double)> go = [&](int at, double length) {
-        if (length >= shortest) return;
+        if (length > shortest + equal) return;
         if (at == to) {
-            best = way;
-            shortest = length;
+            if (length < shortest - equal) best.clear();
+            shortest = std::min(shortest, length);
+            best.push_back(way);
             return;
         }
         seen[at] = true;
@@ -112,10 +116,12 @@ std::vector<Point2d> path(const Shape& shape, int from, int to) {
         seen[at] = false;
     };
     go(from, 0);
-    std::vector<Point2d> places;
-    if (best.empty()) return places; // no way
-    places.push_back(shape.places[from]);
-    for (int at = from; const int e : best) {
+    return best;
+}
+
+std::vector<Point2d> places_along(const Shape& shape, const std::vector<int>& way, int from, int to) {
+    std::vector<Point2d> places = {shape.places[from]};
+    for (int at = from; const int e : way) {
         std::vector<Point2i> pixels = shape.edges[e].pixels;
         if (shape.edges[e].v == at) std::reverse(pixels.begin(), pixels.end());
         for (const Point2i p : pixels) places.push_back(to_double(p));
@@ -178,13 +184,47 @@ double bijection(const std::vector<std::vector<double>>& costs) {
     return best[0][0];
 }
 
-std::vector<std::vector<Samples>> all_paths(const Shape& shape) {
+using Paths = std::vector<Samples>; // from one end to the others, clockwise
+
+// Of end number i; one for each choice among equally long ways.
+std::vector<Paths> paths_from(const Shape& shape, std::size_t i) {
     const std::size_t n = shape.ends.size();
-    std::vector<std::vector<Samples>> paths(n);
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t k = 1; k < n; ++k)
-            paths[i].push_back(sample(shape, path(shape, shape.ends[i], shape.ends[(i + k) % n])));
+    std::vector<Paths> choices = {{}};
+    for (std::size_t k = 1; k < n; ++k) {
+        const int from = shape.ends[i], to = shape.ends[(i + k) % n];
+        std::vector<Samples> alternatives;
+        for (const std::vector<int>& way : shortest_ways(shape, from, to))
+            alternatives.push_back(sample(shape, places_along(shape, way, from, to)));
+        if (alternatives.empty()) alternatives.push_back(sample(shape, {})); // no way
+        std::vector<Paths> longer;
+        for (const Paths& choice : choices)
+            for (const Samples& alternative : alternatives) {
+                longer.push_back(choice);
+                longer.back().push_back(alternative);
+            }
+        choices = std::move(longer);
+    }
+    return choices;
+}
+
+std::vector<std::vector<Paths>> all_paths(const Shape& shape) {
+    std::vector<std::vector<Paths>> paths;
+    for (std::size_t i = 0; i < shape.ends.size(); ++i) paths.push_back(paths_from(shape, i));
     return paths;
+}
+
+// Whether some choice of the ways costs that.
+bool is_cost(double cost, const std::vector<Paths>& a, const std::vector<Paths>& b) {
+    for (const Paths& from : a)
+        for (const Paths& to : b) {
+            std::vector<std::vector<double>> distances;
+            for (const Samples& p : from) {
+                std::vector<double>& row = distances.emplace_back();
+                for (const Samples& q : to) row.push_back(path_distance_of(p, q));
+            }
+            if (std::abs(bijection(distances) - cost) < 1e-6) return true;
+        }
+    return false;
 }
 
 // The least sum of costs where the shorter side is assigned completely.
@@ -225,14 +265,8 @@ void replay_mapping(const Stored& s, Tally& tally) {
     const auto stored = s.mapping["costs"].get<std::vector<std::vector<double>>>();
     bool costs = stored.size() == a.ends.size();
     for (std::size_t i = 0; costs && i < a.ends.size(); ++i)
-        for (std::size_t j = 0; j < b.ends.size(); ++j) {
-            std::vector<std::vector<double>> distances;
-            for (const Samples& p : paths_a[i]) {
-                std::vector<double>& row = distances.emplace_back();
-                for (const Samples& q : paths_b[j]) row.push_back(path_distance_of(p, q));
-            }
-            costs = costs && std::abs(bijection(distances) - stored[i].at(j)) < 1e-6;
-        }
+        for (std::size_t j = 0; j < b.ends.size(); ++j)
+            costs = costs && is_cost(stored[i].at(j), paths_a[i], paths_b[j]);
     tally.add("mapping: costs", costs);
     if (stored.empty() || stored[0].empty()) return;
     double sum = 0;

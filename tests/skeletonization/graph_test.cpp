@@ -189,6 +189,22 @@ TEST_CASE("H1 removes ends of head and body beside their like, again and again")
     CHECK(apply_h1(tree({B, B, B, B}, {{0, 1}, {1, 2}, {2, 3}})).vertices.size() == 1);
 }
 
+TEST_CASE("H2 puts a vertex in the middle, or nearer to what has more edges or stands for more vertices") {
+    SkeletonGraph graph = tree({B, B, B, L, L}, {{0, 1}, {1, 2}, {0, 3}, {0, 4}});
+    graph.vertices[0].x = 10, graph.vertices[1].x = 12, graph.vertices[2].x = 17;
+    graph.vertices[3].x = 100, graph.vertices[4].x = 140;
+    const auto place = [&](MergeWeighting weighting) {
+        const SkeletonGraph merged = apply_h2(graph, 8, weighting);
+        REQUIRE(merged.vertices.size() == 3);
+        check_canonical(merged);
+        return merged.vertices[0].x;
+    };
+    CHECK(place(MergeWeighting::equal) == 14);            // 11, then half way to 17
+    CHECK(place(MergeWeighting::edges) == Approx(12.35)); // 3 : 2 edges make 10.8, then 3 : 1
+    CHECK(place(MergeWeighting::vertices) == Approx(13)); // the mean of 10, 12 and 17
+    CHECK(apply_h2(graph, 8) == apply_h2(graph, 8, MergeWeighting::equal));
+}
+
 TEST_CASE("H2 merges the closest vertices of one type first, adjacent or not") {
     SkeletonGraph graph = tree({B, B, B, L, L}, {{0, 1}, {1, 2}, {0, 3}, {2, 4}});
     graph.vertices[0].x = 10, graph.vertices[1].x = 14, graph.vertices[2].x = 17;

@@ -101,6 +101,26 @@ TEST_CASE("Algorithm 4.1 stops at the first idle sub-iteration, which differs in
     CHECK(differ == 38);
 }
 
+TEST_CASE("where the two ends of the thinning differ: the first half is idle, the second one is not") {
+    // No pixel fulfils C_c and C_d: line 11 stops. The one in the middle of the second row fulfils C_c' and
+    // C_d'.
+    const Mask mask = picture({
+        "#...#",
+        ".###.",
+        ".###.",
+        "#.#.#",
+        "...#.",
+    });
+    CHECK(zhang_suen(mask, ThinningStop::either) == mask);
+    CHECK(rows_of(zhang_suen(mask, ThinningStop::both)) == std::vector<std::string>{
+                                                               "#...#",
+                                                               ".#.#.",
+                                                               ".###.",
+                                                               "#.#.#",
+                                                               "...#.",
+                                                           });
+}
+
 TEST_CASE("redundant staircase pixels go, corners of a line, ends and crossings stay") {
     CHECK(rows_of(remove_redundant_pixels(picture({
               "##....",

@@ -27,10 +27,14 @@ double least_time(const std::function<void()>& work, int rounds);
 
 // Most fused multiply-adds of one thread, in GFLOP/s; 0 where it is not known how to ask.
 double fma_peak(network::Simd simd);
+// Most products of bytes, in billions a second; likewise.
+double dot_product_peak(network::Simd simd);
 
 void bench_steps(const std::string& page, int rounds);
 void bench_kernel(int rounds);
+void bench_integer_kernel(int rounds);
 void bench_segmenter(int rounds);
+void bench_rasteriser(const std::string& folder, int rounds); // for enlarged frames; none: no pictures
 void bench_graph_distance(int rounds);
 void bench_straight_skeleton(int rounds);
 void bench_skeletons(int rounds);                           // of testdata/labels_*.png

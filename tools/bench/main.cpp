@@ -3,6 +3,8 @@
 // Usage: bench [PAGE [ROUNDS]]
 //        bench modeling [FOLDER]       strokes to models alone; label maps whose silhouettes are taken
 //        bench skeletons [ROUNDS]      the 2D skeletons alone
+//        bench kernels [ROUNDS]        the kernels of the networks alone
+//        bench rasteriser [FOLDER]     the frames of a film alone; enlarged ones side by side
 //        bench segmenter [ROUNDS]      the segmentation network alone (against_torch.py calls it in turns
 //        with PyTorch)
 #include <algorithm>
@@ -16,6 +18,11 @@
 int main(int argc, char** argv) {
     try {
         const int rounds = argc > 2 ? std::max(1, std::atoi(argv[2])) : 5;
+        if (argc > 1 && std::strcmp(argv[1], "kernels") == 0) {
+            pantin::bench::bench_kernel(rounds);
+            pantin::bench::bench_integer_kernel(rounds);
+            return 0;
+        }
         if (argc > 1 && std::strcmp(argv[1], "segmenter") == 0) {
             pantin::bench::bench_segmenter(rounds);
             return 0;
@@ -25,13 +32,19 @@ int main(int argc, char** argv) {
             pantin::bench::bench_modeling(argc > 2 ? argv[2] : "", 5);
             return 0;
         }
+        if (argc > 1 && std::strcmp(argv[1], "rasteriser") == 0) {
+            pantin::bench::bench_rasteriser(argc > 2 ? argv[2] : "", 5);
+            return 0;
+        }
         if (argc > 1 && std::strcmp(argv[1], "skeletons") == 0) {
             pantin::bench::bench_skeletons(rounds);
             return 0;
         }
         pantin::bench::bench_steps(argc > 1 ? argv[1] : "testdata/demo.png", rounds);
         pantin::bench::bench_kernel(rounds);
+        pantin::bench::bench_integer_kernel(rounds);
         pantin::bench::bench_segmenter(rounds);
+        pantin::bench::bench_rasteriser("", rounds);
         pantin::bench::bench_graph_distance(rounds);
         pantin::bench::bench_straight_skeleton(rounds);
         pantin::bench::bench_skeletons(rounds);

@@ -105,7 +105,7 @@ private:
         const std::vector<Region> regions = regions_of(tensor("proposals"));
         const mask_rcnn::DetectionOptions& options = network_.options.detection;
         add("box_pooled", pool_regions(pyramid, regions, options.box_pool, size_, options, runtime_));
-        const mask_rcnn::BoxHead::Result seen = network_.box_head.forward(tensor("box_pooled"), runtime_);
+        const mask_rcnn::BoxScores seen = network_.box_head.forward(tensor("box_pooled"), runtime_);
         add("class_logits", seen.scores);
         add("box_displacements", seen.displacements);
         std::vector<Region> found;

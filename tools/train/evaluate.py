@@ -5,10 +5,12 @@ labelled by the two shared scripts.
 
 usage: evaluate.py DATA (--model CHECKPOINT_OR_SAFETENSORS [--raw] | --pantin BINARY) [--fold 0] [--erase 0.0] [--turn 0]
                    [--sheet OUT.png] [--report OUT.md] [--table OUT.ndjson]
+       evaluate.py DATA --write DATASET [--count N] [--fold 0] [--erase 0.0]
 DATA/../tools holds label_map_to_drawing.py and strokes_to_regions.py. For each drawing: IoU of every part that the truth has; its
 mean is the drawing's score; tables give the mean of the drawings and of each part. --sheet: drawing | truth | answer.
 With --pantin the drawing is a page for `pantin detect`, `segment`, `skeletonize` and `identify`; the largest character's labels are put back onto it.
 --turn: the page is turned by so many degrees anticlockwise (90, 180, 270) before. --table: per drawing its scores, the type and the evidence.
+--write: the drawings on which the type is judged (N of them, evenly chosen) as a dataset for `pantin evaluate`.
 "type" is judged on drawings with limbs or wings of one of the three types: heads alone cannot be identified.
 """
 import argparse
@@ -26,6 +28,7 @@ import torch
 
 import dataset
 import export
+import integer_networks
 from model import EXPERTS, LABELS, TYPES
 
 COLOURS = np.array([[255, 255, 255], [60, 90, 220], [220, 60, 60], [60, 180, 75], [245, 130, 48], [240, 200, 0]], np.uint8)
@@ -59,6 +62,15 @@ def held_out_drawings(data, fold, erase):
             if not info.get("open") and truth.any():
                 drawings.append(Drawing(record["id"], f"more, {record['source']}", record["type"], record["class"], image, truth))
     return [d._replace(image=np.pad(d.image, PAD, constant_values=255), truth=np.pad(d.truth, PAD)) for d in drawings]
+
+
+def network_of(path, raw):
+    """of a checkpoint, or of a weight file of floats or of integers."""
+    if path.endswith(".safetensors"):
+        tensors, facts = export.read_safetensors(path)
+        if facts.get("arithmetic") == "integer":
+            return integer_networks.IntegerSegmenter(tensors, facts)
+    return export.load(path, raw)
 
 
 def crop_box(darkness):
@@ -184,12 +196,24 @@ def contact_sheet(tiles, path, columns=4):
     cv2.imwrite(path, np.concatenate([np.concatenate(tiles[k:k + columns], 1) for k in range(0, len(tiles), columns)], 0))
 
 
+def write_dataset(drawings, folder):
+    for part in ("image", "label"):
+        os.makedirs(f"{folder}/{part}", exist_ok=True)
+    with open(f"{folder}/index.ndjson", "w") as index:
+        for number, d in enumerate(drawings):
+            cv2.imwrite(f"{folder}/image/{number:03d}.png", d.image)
+            cv2.imwrite(f"{folder}/label/{number:03d}.png", d.truth)
+            index.write(json.dumps({"id": f"{number:03d}", "type": d.kind, "species": d.category, "drawing": d.name, "group": d.group}) + "\n")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("data")
     answerer = parser.add_mutually_exclusive_group(required=True)
     answerer.add_argument("--model")
     answerer.add_argument("--pantin")
+    answerer.add_argument("--write")
+    parser.add_argument("--count", type=int)
     parser.add_argument("--raw", action="store_true")
     parser.add_argument("--fold", type=int, default=0)
     parser.add_argument("--erase", type=float, default=0.0)
@@ -198,8 +222,13 @@ def main():
     parser.add_argument("--turn", type=int, choices=(0, 90, 180, 270), default=0)
     parser.add_argument("--table")
     args = parser.parse_args()
+    if args.write:
+        drawings = [d for d in held_out_drawings(args.data, args.fold, args.erase) if judged_type(d)]
+        count = min(args.count or len(drawings), len(drawings))
+        write_dataset([drawings[k * len(drawings) // count] for k in range(count)], args.write)
+        return
     torch.set_num_threads(1)
-    model = export.load(args.model, args.raw) if args.model else None
+    model = network_of(args.model, args.raw) if args.model else None
     rows, tiles = [], []
     for drawing in held_out_drawings(args.data, args.fold, args.erase):
         if args.turn:

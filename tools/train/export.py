@@ -13,14 +13,15 @@ import torch
 from model import EXPERTS, Segmenter, metadata
 
 TYPES = {"F32": np.dtype("<f4"), "F16": np.dtype("<f2")}
+INTEGERS = {"I64": np.dtype("<i8"), "I32": np.dtype("<i4"), "I8": np.dtype("i1"), "U8": np.dtype("u1")}      # quantize.py
 
 
 def write_safetensors(path, tensors, facts):
-    """tensors: {name: array of float32 or float16}; 8 bytes length, JSON header padded to 8, data in the order of the names."""
+    """tensors: {name: array of a type of TYPES or INTEGERS}; 8 bytes length, JSON header padded to 8, data in the order of the names."""
     header, offset = {"__metadata__": facts}, 0
     arrays = {name: np.asarray(tensors[name], order="C") for name in sorted(tensors)}
     for name, array in arrays.items():
-        kind = {v: k for k, v in TYPES.items()}[array.dtype]
+        kind = {v: k for k, v in (TYPES | INTEGERS).items()}[array.dtype]
         header[name] = {"dtype": kind, "shape": list(array.shape), "data_offsets": [offset, offset + array.nbytes]}
         offset += array.nbytes
     text = json.dumps(header, separators=(",", ":")).encode()
@@ -32,14 +33,15 @@ def write_safetensors(path, tensors, facts):
 
 
 def read_safetensors(path):
-    """-> {name: float32 array}, metadata"""
+    """-> {name: array; integers as they are, other numbers as float32}, metadata"""
     data = open(path, "rb").read()
     length = struct.unpack("<Q", data[:8])[0]
     header = json.loads(data[8:8 + length])
     facts, body, tensors = header.pop("__metadata__", {}), data[8 + length:], {}
     for name, entry in header.items():
         begin, end = entry["data_offsets"]
-        tensors[name] = np.frombuffer(body[begin:end], TYPES[entry["dtype"]]).reshape(entry["shape"]).astype(np.float32)
+        array = np.frombuffer(body[begin:end], (TYPES | INTEGERS)[entry["dtype"]]).reshape(entry["shape"])
+        tensors[name] = array if entry["dtype"] in INTEGERS else array.astype(np.float32)
     return tensors, facts
 
 

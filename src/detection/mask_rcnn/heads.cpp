@@ -24,45 +24,72 @@ int level_of(const Region& box, int levels, int first_level, const DetectionOpti
 }
 
 // log₂ of a level's stride, the nearest whole number.
-int stride_exponent(const Tensor& level, const InputSize& image) {
+template <class Map> int stride_exponent(const Map& level, const InputSize& image) {
     const double stride = static_cast<double>(image.clip_height) / level.height();
     int exponent = 0;
     while (stride / std::ldexp(1.0, exponent) > std::sqrt(2.0)) ++exponent;
     return exponent;
 }
 
-} // namespace
-
-Tensor pool_regions(const std::vector<Tensor>& pyramid, const std::vector<Region>& regions, int size,
-                    const InputSize& image, const DetectionOptions& options, const Runtime& runtime) {
+// Calls pool(level, boxes, their places among `regions`, the level's pixels per pixel) for each level that is
+// read.
+template <class Map, class Pool>
+void pool_by_level(const std::vector<Map>& pyramid, const std::vector<Region>& regions,
+                   const InputSize& image, const DetectionOptions& options, Pool pool) {
     const int levels = static_cast<int>(pyramid.size()) - 1; // the coarsest is for proposals alone
     std::vector<std::vector<int>> members(static_cast<std::size_t>(levels));
     const int first_level = stride_exponent(pyramid[0], image);
     for (std::size_t r = 0; r < regions.size(); ++r)
         members[static_cast<std::size_t>(level_of(regions[r], levels, first_level, options))].push_back(
             static_cast<int>(r));
-
-    Tensor pooled =
-        Tensor::uninitialised(static_cast<int>(regions.size()), pyramid[0].channels(), size, size);
     for (std::size_t level = 0; level < members.size(); ++level) {
         if (members[level].empty()) continue;
         std::vector<Region> boxes;
         for (const int r : members[level]) boxes.push_back(regions[static_cast<std::size_t>(r)]);
-        const float scale = std::ldexp(1.0f, -stride_exponent(pyramid[level], image));
-        network::roi_align(pyramid[level], boxes, members[level], scale, options.sampling, runtime, pooled);
+        pool(pyramid[level], boxes, members[level],
+             std::ldexp(1.0f, -stride_exponent(pyramid[level], image)));
     }
+}
+
+} // namespace
+
+Tensor pool_regions(const std::vector<Tensor>& pyramid, const std::vector<Region>& regions, int size,
+                    const InputSize& image, const DetectionOptions& options, const Runtime& runtime) {
+    Tensor pooled =
+        Tensor::uninitialised(static_cast<int>(regions.size()), pyramid[0].channels(), size, size);
+    pool_by_level(pyramid, regions, image, options,
+                  [&](const Tensor& level, const std::vector<Region>& boxes, const std::vector<int>& places,
+                      float scale) {
+                      network::roi_align(level, boxes, places, scale, options.sampling, runtime, pooled);
+                  });
     return pooled;
 }
 
-BoxHead::Result BoxHead::forward(const Tensor& pooled, const Runtime& runtime) const {
-    Tensor x = fc6.forward(pooled, runtime);
-    network::relu(x);
-    x = fc7.forward(x, runtime);
-    network::relu(x);
-    return {scores.forward(x, runtime), displacements.forward(x, runtime)};
+network::integer::ByteTensor pool_regions(const std::vector<network::integer::ByteTensor>& pyramid,
+                                          const std::vector<Region>& regions, int size, std::uint8_t zero,
+                                          const InputSize& image, const DetectionOptions& options,
+                                          const Runtime& runtime) {
+    using network::integer::ByteTensor;
+    ByteTensor pooled =
+        ByteTensor::uninitialised(static_cast<int>(regions.size()), pyramid[0].channels, size, size);
+    pool_by_level(pyramid, regions, image, options,
+                  [&](const ByteTensor& level, const std::vector<Region>& boxes,
+                      const std::vector<int>& places, float scale) {
+                      network::roi_align(level, boxes, places, scale, options.sampling, zero, runtime,
+                                         pooled);
+                  });
+    return pooled;
 }
 
-std::vector<Found> find_boxes(const BoxHead::Result& seen, const std::vector<Region>& proposals,
+template <class A>
+BoxScores BoxHead<A>::forward(const typename A::Map& pooled, const Runtime& runtime) const {
+    const typename A::Map x = network::relu(fc7, network::relu(fc6, pooled, runtime), runtime);
+    return {network::real(scores, x, runtime), network::real(displacements, x, runtime)};
+}
+template struct BoxHead<network::RealArithmetic>;
+template struct BoxHead<network::IntegerArithmetic>;
+
+std::vector<Found> find_boxes(const BoxScores& seen, const std::vector<Region>& proposals,
                               const InputSize& image, const DetectionOptions& options,
                               const Runtime& runtime) {
     const Tensor probabilities = network::softmax(seen.scores, runtime);
@@ -91,10 +118,12 @@ std::vector<Found> find_boxes(const BoxHead::Result& seen, const std::vector<Reg
     return found;
 }
 
-Tensor MaskHead::forward(const Tensor& pooled, const Runtime& runtime) const {
-    Tensor x = convs[0].forward(pooled, runtime);
+template <class A> Tensor MaskHead<A>::forward(const typename A::Map& pooled, const Runtime& runtime) const {
+    typename A::Map x = convs[0].forward(pooled, runtime);
     for (std::size_t i = 1; i < convs.size(); ++i) x = convs[i].forward(x, runtime);
-    return logits.forward(up.forward(x, runtime), runtime);
+    return network::real(logits, up.forward(x, runtime), runtime);
 }
+template struct MaskHead<network::RealArithmetic>;
+template struct MaskHead<network::IntegerArithmetic>;
 
 } // namespace pantin::mask_rcnn

@@ -9,7 +9,6 @@ namespace pantin::mask_rcnn {
 namespace {
 
 using network::ConvolutionOptions;
-using network::LayerReader;
 
 constexpr float max_number = 1e6f;
 
@@ -77,16 +76,20 @@ ConvolutionOptions same_size(int kernel, bool relu, int stride = 1) {
     return options;
 }
 
-network::ResidualBlock read_block(const LayerReader& reader, const std::string& name, int in, int stride) {
+template <class A>
+network::BasicResidualBlock<A> read_block(const typename A::Reader& reader, const std::string& name, int in,
+                                          int stride) {
     const bool bottleneck = reader.file.contains(name + ".conv3.weight");
     const int convs = bottleneck ? 3 : 2, strided = bottleneck ? 2 : 1; // the 3×3 takes the stride
-    network::ResidualBlock block;
+    network::BasicResidualBlock<A> block;
     int width = in;
     for (int i = 1; i <= convs; ++i) {
         const std::string number = std::to_string(i), conv = name + ".conv" + number;
         const ConvolutionOptions options =
             same_size(reader.extent(conv + ".weight", 4, 2), i < convs, i == strided ? stride : 1);
-        block.branch.push_back(reader.convolution(conv, name + ".bn" + number, width, options));
+        const std::string norm = name + ".bn" + number;
+        block.branch.push_back(i == convs ? reader.adding_convolution(conv, norm, width, options)
+                                          : reader.convolution(conv, norm, width, options));
         width = block.branch.back().out_channels();
     }
     const std::string downsample = name + ".downsample";
@@ -99,17 +102,17 @@ network::ResidualBlock read_block(const LayerReader& reader, const std::string& 
     return block;
 }
 
-ResNet read_backbone(const LayerReader& reader, int channels) {
+template <class A> ResNet<A> read_backbone(const typename A::Reader& reader, int channels) {
     const std::string body = "backbone.body.";
     const int kernel = reader.extent(body + "conv1.weight", 4, 2);
-    ResNet net{reader.convolution(body + "conv1", body + "bn1", channels, same_size(kernel, true, 2)), {}};
+    ResNet<A> net{reader.convolution(body + "conv1", body + "bn1", channels, same_size(kernel, true, 2)), {}};
     int width = net.stem.out_channels();
     for (int l = 1; reader.file.contains(body + "layer" + std::to_string(l) + ".0.conv1.weight"); ++l) {
-        std::vector<network::ResidualBlock> blocks;
+        std::vector<network::BasicResidualBlock<A>> blocks;
         for (int b = 0;; ++b) {
             const std::string name = body + "layer" + std::to_string(l) + "." + std::to_string(b);
             if (!reader.file.contains(name + ".conv1.weight")) break;
-            blocks.push_back(read_block(reader, name, width, b == 0 && l > 1 ? 2 : 1));
+            blocks.push_back(read_block<A>(reader, name, width, b == 0 && l > 1 ? 2 : 1));
             width = blocks.back().out_channels();
         }
         net.layers.push_back(std::move(blocks));
@@ -117,13 +120,16 @@ ResNet read_backbone(const LayerReader& reader, int channels) {
     return net;
 }
 
-FeaturePyramid read_pyramid(const LayerReader& reader, const ResNet& backbone) {
-    FeaturePyramid pyramid;
+template <class A>
+FeaturePyramid<A> read_pyramid(const typename A::Reader& reader, const ResNet<A>& backbone) {
+    FeaturePyramid<A> pyramid;
     for (std::size_t i = 0; i < backbone.layers.size(); ++i) {
         const std::string number = std::to_string(i) + ".0", fpn = "backbone.fpn.";
         const int in = backbone.layers[i].back().out_channels();
-        pyramid.inner.push_back(
-            reader.convolution(fpn + "inner_blocks." + number, "", in, same_size(1, false)));
+        const std::string inner = fpn + "inner_blocks." + number;
+        pyramid.inner.push_back(i + 1 < backbone.layers.size()
+                                    ? reader.adding_convolution(inner, "", in, same_size(1, false))
+                                    : reader.convolution(inner, "", in, same_size(1, false)));
         const int width = pyramid.inner.back().out_channels();
         pyramid.layer.push_back(
             reader.convolution(fpn + "layer_blocks." + number, "", width, same_size(3, false)));
@@ -133,29 +139,31 @@ FeaturePyramid read_pyramid(const LayerReader& reader, const ResNet& backbone) {
     return pyramid;
 }
 
-ProposalHead read_proposal_head(const LayerReader& reader, int width, std::size_t anchors) {
-    ProposalHead head{reader.convolution("rpn.head.conv.0.0", "", width, same_size(3, true)),
-                      reader.convolution("rpn.head.cls_logits", "", width, same_size(1, false)),
-                      reader.convolution("rpn.head.bbox_pred", "", width, same_size(1, false))};
+template <class A>
+ProposalHead<A> read_proposal_head(const typename A::Reader& reader, int width, std::size_t anchors) {
+    ProposalHead<A> head{reader.convolution("rpn.head.conv.0.0", "", width, same_size(3, true)),
+                         reader.convolution("rpn.head.cls_logits", "", width, same_size(1, false)),
+                         reader.convolution("rpn.head.bbox_pred", "", width, same_size(1, false))};
     if (head.logits.out_channels() != static_cast<int>(anchors) ||
         head.displacements.out_channels() != 4 * static_cast<int>(anchors))
         reader.file.fail("the proposal head has another number of anchors than metadata 'anchor_ratios'");
     return head;
 }
 
-BoxHead read_box_head(const LayerReader& reader, int width, int pool) {
+template <class A> BoxHead<A> read_box_head(const typename A::Reader& reader, int width, int pool) {
     const std::string head = "roi_heads.box_head.", predictor = "roi_heads.box_predictor.";
     const int hidden = reader.extent(head + "fc6.weight", 2, 0),
               last = reader.extent(head + "fc7.weight", 2, 0);
     const int classes = reader.extent(predictor + "cls_score.weight", 2, 0);
     if (classes < 2 || reader.extent(predictor + "bbox_pred.weight", 2, 0) != 4 * classes)
         reader.file.fail("the box predictor needs two classes or more and four displacements for each");
-    return {reader.linear(head + "fc6", width * pool * pool), reader.linear(head + "fc7", hidden),
-            reader.linear(predictor + "cls_score", last), reader.linear(predictor + "bbox_pred", last)};
+    return {reader.linear(head + "fc6", width * pool * pool, pool * pool),
+            reader.linear(head + "fc7", hidden), reader.linear(predictor + "cls_score", last),
+            reader.linear(predictor + "bbox_pred", last)};
 }
 
-MaskHead read_mask_head(const LayerReader& reader, int width, int classes) {
-    std::vector<Convolution> convs;
+template <class A> MaskHead<A> read_mask_head(const typename A::Reader& reader, int width, int classes) {
+    std::vector<typename A::Convolution> convs;
     for (int i = 0;; ++i) {
         const std::string name = "roi_heads.mask_head." + std::to_string(i) + ".0";
         if (!reader.file.contains(name + ".weight")) break;
@@ -168,8 +176,9 @@ MaskHead read_mask_head(const LayerReader& reader, int width, int classes) {
     ConvolutionOptions doubling;
     doubling.stride = 2;
     doubling.relu = true;
-    MaskHead head{std::move(convs), reader.transposed_convolution(predictor + "conv5_mask", width, doubling),
-                  reader.convolution(predictor + "mask_fcn_logits", "", middle, same_size(1, false))};
+    MaskHead<A> head{std::move(convs),
+                     reader.transposed_convolution(predictor + "conv5_mask", width, doubling),
+                     reader.convolution(predictor + "mask_fcn_logits", "", middle, same_size(1, false))};
     if (head.logits.out_channels() != classes)
         reader.file.fail("the mask predictor has another number of classes than the box predictor");
     return head;
@@ -177,8 +186,10 @@ MaskHead read_mask_head(const LayerReader& reader, int width, int classes) {
 
 } // namespace
 
-Network load_network(const WeightFile& file) {
-    LayerReader reader{file};
+template <class A> BasicNetwork<A> load_network(const WeightFile& file) {
+    if (network::holds_integers(file) != std::is_same_v<A, network::IntegerArithmetic>)
+        file.fail("the layers are of another arithmetic");
+    typename A::Reader reader{file};
     if (file.has_metadata("norm_epsilon")) {
         std::vector<float> epsilon;
         read_numbers(file, "norm_epsilon", epsilon);
@@ -187,19 +198,22 @@ Network load_network(const WeightFile& file) {
     }
     Options options = read_options(file);
     const int channels = static_cast<int>(options.transform.mean.size());
-    ResNet backbone = read_backbone(reader, channels);
+    ResNet<A> backbone = read_backbone<A>(reader, channels);
     if (backbone.layers.empty()) file.fail("tensor 'backbone.body.layer1.0.conv1.weight' is missing");
     if (options.proposals.sizes.size() != backbone.layers.size() + 1)
         file.fail("metadata 'anchor_sizes' needs one size for each of the " +
                   std::to_string(backbone.layers.size() + 1) + " levels");
-    FeaturePyramid pyramid = read_pyramid(reader, backbone);
+    FeaturePyramid<A> pyramid = read_pyramid<A>(reader, backbone);
     const int width = pyramid.layer[0].out_channels();
-    ProposalHead proposal_head = read_proposal_head(reader, width, options.proposals.ratios.size());
-    BoxHead box_head = read_box_head(reader, width, options.detection.box_pool);
+    ProposalHead<A> proposal_head = read_proposal_head<A>(reader, width, options.proposals.ratios.size());
+    BoxHead<A> box_head = read_box_head<A>(reader, width, options.detection.box_pool);
     const int classes = reader.extent("roi_heads.box_predictor.cls_score.weight", 2, 0);
-    MaskHead mask_head = read_mask_head(reader, width, classes);
+    MaskHead<A> mask_head = read_mask_head<A>(reader, width, classes);
     return {std::move(options),       std::move(backbone), std::move(pyramid),
             std::move(proposal_head), std::move(box_head), std::move(mask_head)};
 }
+
+template BasicNetwork<network::RealArithmetic> load_network(const WeightFile&);
+template BasicNetwork<network::IntegerArithmetic> load_network(const WeightFile&);
 
 } // namespace pantin::mask_rcnn

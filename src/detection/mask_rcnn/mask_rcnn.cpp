@@ -69,22 +69,36 @@ Tensor stacked(const std::vector<Tensor>& parts) {
     return all;
 }
 
+// The regions of the levels, as the head that begins with `first` reads them.
+template <class Layer>
+Tensor pooled(const std::vector<Tensor>& levels, const std::vector<Region>& regions, int size, const Layer&,
+              const InputSize& image, const DetectionOptions& options, const Runtime& runtime) {
+    return pool_regions(levels, regions, size, image, options, runtime);
+}
+template <class Layer>
+network::integer::ByteTensor
+pooled(const std::vector<network::integer::ByteTensor>& levels, const std::vector<Region>& regions, int size,
+       const Layer& first, const InputSize& image, const DetectionOptions& options, const Runtime& runtime) {
+    return pool_regions(levels, regions, size, first.zero(), image, options, runtime);
+}
+
 } // namespace
 
-std::vector<Detection> Network::forward(const Tensor& image, const Runtime& runtime) const {
+template <class A>
+std::vector<Detection> BasicNetwork<A>::forward(const Tensor& image, const Runtime& runtime) const {
     const Transformed input = transform(image, options.transform, runtime);
-    const std::vector<Tensor> levels =
-        pyramid.forward(backbone.forward(input.image, runtime), runtime); // [256, /4] … [256, /64]
+    const std::vector<typename A::Map> levels =
+        pyramid.forward(backbone.forward(A::input(input.image), runtime), runtime); // [256, /4] … [256, /64]
 
     std::vector<Objectness> seen;
-    for (const Tensor& level : levels) seen.push_back(proposal_head.forward(level, runtime));
+    for (const typename A::Map& level : levels) seen.push_back(proposal_head.forward(level, runtime));
     const std::vector<Region> regions = propose(seen, input.size, options.proposals);
 
     const DetectionOptions& heads = options.detection;
     std::vector<Tensor> scores, displacements;
     in_portions(regions, [&](const std::vector<Region>& some) {
-        BoxHead::Result result =
-            box_head.forward(pool_regions(levels, some, heads.box_pool, input.size, heads, runtime), runtime);
+        BoxScores result = box_head.forward(
+            pooled(levels, some, heads.box_pool, box_head.fc6, input.size, heads, runtime), runtime);
         scores.push_back(std::move(result.scores));
         displacements.push_back(std::move(result.displacements));
     });
@@ -96,7 +110,7 @@ std::vector<Detection> Network::forward(const Tensor& image, const Runtime& runt
     std::vector<Tensor> seen_masks;
     in_portions(boxes, [&](const std::vector<Region>& some) {
         seen_masks.push_back(network::sigmoid(mask_head.forward(
-            pool_regions(levels, some, heads.mask_pool, input.size, heads, runtime), runtime)));
+            pooled(levels, some, heads.mask_pool, mask_head.convs[0], input.size, heads, runtime), runtime)));
     });
     const Tensor masks = stacked(seen_masks);
 
@@ -115,6 +129,8 @@ std::vector<Detection> Network::forward(const Tensor& image, const Runtime& runt
     }
     return detections;
 }
+template struct BasicNetwork<network::RealArithmetic>;
+template struct BasicNetwork<network::IntegerArithmetic>;
 
 Grid<float> paste_mask(const Detection& detection, int page_width, int page_height) {
     const Tensor& mask = detection.mask;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Mask R-CNN (He et al. 2017) with a ResNet and a feature pyramid (Lin et al. 2017), as torchvision 0.14's
 // `maskrcnn_resnet50_fpn` computes it; thesis 4.2 and ch. 5 use that network with two classes. One struct per
-// module; widths and depths are those of the weight file, so a compact network is the same code.
+// module; widths, depths and arithmetic are those of the weight file, so a compact network is the same code.
 //
 // Shapes in comments are [channels, height, width] for the full-size network; the batch is the page, or the
 // regions of a page.
@@ -16,7 +16,6 @@
 
 namespace pantin::mask_rcnn {
 
-using network::Convolution;
 using network::Region;
 using network::Runtime;
 using network::Tensor;
@@ -25,17 +24,19 @@ using network::WeightFile;
 // --- backbone --------------------------------------------------------------------------------------------
 
 // Blocks are 1×1, 3×3, 1×1 (bottleneck) or 3×3, 3×3 (basic block); the first of each layer but one halves.
-struct ResNet {
-    Convolution stem; // 7×7, stride 2; then max pooling 3×3, stride 2
-    std::vector<std::vector<network::ResidualBlock>> layers;
+template <class Arithmetic> struct ResNet {
+    using Map = typename Arithmetic::Map;
+    typename Arithmetic::Convolution stem; // 7×7, stride 2; then max pooling 3×3, stride 2
+    std::vector<std::vector<network::BasicResidualBlock<Arithmetic>>> layers;
     // The outputs of the layers: strides 4, 8, 16, 32.
-    std::vector<Tensor> forward(const Tensor& image, const Runtime& runtime) const;
+    std::vector<Map> forward(const Map& image, const Runtime& runtime) const;
 };
 
 // Top-down pathway with lateral connections; one more level by taking every second pixel of the last.
-struct FeaturePyramid {
-    std::vector<Convolution> inner, layer;
-    std::vector<Tensor> forward(std::vector<Tensor> stages, const Runtime& runtime) const;
+template <class Arithmetic> struct FeaturePyramid {
+    using Map = typename Arithmetic::Map;
+    std::vector<typename Arithmetic::Convolution> inner, layer;
+    std::vector<Map> forward(std::vector<Map> stages, const Runtime& runtime) const;
 };
 
 // --- region proposals ------------------------------------------------------------------------------------
@@ -67,9 +68,9 @@ struct InputSize {
 std::vector<Region> propose(const std::vector<Objectness>& levels, const InputSize& size,
                             const ProposalOptions& options);
 
-struct ProposalHead {
-    Convolution conv, logits, displacements; // 3×3 and two 1×1
-    Objectness forward(const Tensor& features, const Runtime& runtime) const;
+template <class Arithmetic> struct ProposalHead {
+    typename Arithmetic::Convolution conv, logits, displacements; // 3×3 and two 1×1
+    Objectness forward(const typename Arithmetic::Map& features, const Runtime& runtime) const;
 };
 
 // --- heads on regions ------------------------------------------------------------------------------------
@@ -91,30 +92,35 @@ struct Found {
 };
 
 // Features of each region from the level that fits its size (Lin et al. 2017, Eq. 1): [regions][channels]
-// [size][size].
+// [size][size]. zero: the byte of integer features that stands for 0.
 Tensor pool_regions(const std::vector<Tensor>& pyramid, const std::vector<Region>& regions, int size,
                     const InputSize& image, const DetectionOptions& options, const Runtime& runtime);
+network::integer::ByteTensor pool_regions(const std::vector<network::integer::ByteTensor>& pyramid,
+                                          const std::vector<Region>& regions, int size, std::uint8_t zero,
+                                          const InputSize& image, const DetectionOptions& options,
+                                          const Runtime& runtime);
 
-struct BoxHead {
-    network::Linear fc6, fc7, scores, displacements;
-    struct Result {
-        Tensor scores;        // [regions][classes] logits
-        Tensor displacements; // [regions][4·classes]
-    };
-    Result forward(const Tensor& pooled, const Runtime& runtime) const;
+struct BoxScores {
+    Tensor scores;        // [regions][classes] logits
+    Tensor displacements; // [regions][4·classes]
+};
+template <class Arithmetic> struct BoxHead {
+    typename Arithmetic::Linear fc6, fc7, scores, displacements;
+    BoxScores forward(const typename Arithmetic::Map& pooled, const Runtime& runtime) const;
 };
 
 // Boxes of the classes (but for class 0, background) over the least score, suppressed per class, by
 // descending score.
-std::vector<Found> find_boxes(const BoxHead::Result& seen, const std::vector<Region>& proposals,
+std::vector<Found> find_boxes(const BoxScores& seen, const std::vector<Region>& proposals,
                               const InputSize& image, const DetectionOptions& options,
                               const Runtime& runtime);
 
-struct MaskHead {
-    std::vector<Convolution> convs;
-    network::TransposedConvolution up;
-    Convolution logits;
-    Tensor forward(const Tensor& pooled, const Runtime& runtime) const; // logits [regions][classes, 28, 28]
+template <class Arithmetic> struct MaskHead {
+    std::vector<typename Arithmetic::Convolution> convs;
+    typename Arithmetic::TransposedConvolution up;
+    typename Arithmetic::Convolution logits;
+    // Logits [regions][classes, 28, 28].
+    Tensor forward(const typename Arithmetic::Map& pooled, const Runtime& runtime) const;
 };
 
 // --- the network -----------------------------------------------------------------------------------------
@@ -146,21 +152,23 @@ struct Options {
     DetectionOptions detection;
 };
 
-struct Network {
+template <class Arithmetic> struct BasicNetwork {
     Options options;
-    ResNet backbone;
-    FeaturePyramid pyramid;
-    ProposalHead proposal_head;
-    BoxHead box_head;
-    MaskHead mask_head;
+    ResNet<Arithmetic> backbone;
+    FeaturePyramid<Arithmetic> pyramid;
+    ProposalHead<Arithmetic> proposal_head;
+    BoxHead<Arithmetic> box_head;
+    MaskHead<Arithmetic> mask_head;
 
     // image: [channels, height, width] in [0, 1]. By descending score.
     std::vector<Detection> forward(const Tensor& image, const Runtime& runtime) const;
 };
+using Network = BasicNetwork<network::RealArithmetic>;
 
-// Throws Error(weights) naming the file and the fact. The options come from the metadata; what it does not
-// say is as in torchvision.
-Network load_network(const WeightFile& file);
+// Throws Error(weights) naming the file and the fact, also when the file is for another arithmetic. The
+// options come from the metadata; what it does not say is as in torchvision.
+template <class Arithmetic = network::RealArithmetic>
+BasicNetwork<Arithmetic> load_network(const WeightFile& file);
 
 // The mask's probabilities at the resolution of the page inside the box, 0 outside (torchvision's pasting:
 // a border of zeros around the mask, the box enlarged accordingly and cut to whole pixels).

@@ -41,9 +41,9 @@ network::Tensor input_of(const RgbImage& page, const Grid<float>& ink, const Tra
     return input;
 }
 
-class Detector : public detection::DetectionNetwork {
+template <class A> class Detector : public detection::DetectionNetwork {
 public:
-    explicit Detector(Network network) : network_(std::move(network)) {}
+    explicit Detector(BasicNetwork<A> network) : network_(std::move(network)) {}
 
     std::vector<CharacterFinder::Found> find(const RgbImage& page, const Grid<float>& ink,
                                              const Runtime& runtime) const override {
@@ -61,16 +61,26 @@ public:
     }
 
 private:
-    Network network_;
+    BasicNetwork<A> network_;
 };
+
+template <class A> std::unique_ptr<detection::DetectionNetwork> load(const WeightFile& file) {
+    BasicNetwork<A> network = load_network<A>(file);
+    const TransformOptions& input = network.options.transform;
+    if (input.mean.size() != 1 && input.mean.size() != 3)
+        file.fail("the network sees neither ink darkness nor three colours");
+    if constexpr (std::is_same_v<A, network::IntegerArithmetic>)
+        if (std::any_of(input.mean.begin(), input.mean.end(), [](float m) { return m != 0; }) ||
+            std::any_of(input.deviation.begin(), input.deviation.end(), [](float d) { return d != 1; }))
+            file.fail("a network of integers needs 'image_mean' 0 and 'image_std' 1");
+    return std::make_unique<Detector<A>>(std::move(network));
+}
 
 } // namespace
 
 std::unique_ptr<detection::DetectionNetwork> load_detection_network(const WeightFile& file) {
-    Network network = load_network(file);
-    const std::size_t channels = network.options.transform.mean.size();
-    if (channels != 1 && channels != 3) file.fail("the network sees neither ink darkness nor three colours");
-    return std::make_unique<Detector>(std::move(network));
+    return network::holds_integers(file) ? load<network::IntegerArithmetic>(file)
+                                         : load<network::RealArithmetic>(file);
 }
 
 } // namespace pantin::mask_rcnn

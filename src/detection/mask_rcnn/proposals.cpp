@@ -74,10 +74,13 @@ std::vector<Region> make_anchors(float size, const std::vector<float>& ratios, i
     return anchors;
 }
 
-Objectness ProposalHead::forward(const Tensor& features, const Runtime& runtime) const {
-    const Tensor x = conv.forward(features, runtime);
-    return {logits.forward(x, runtime), displacements.forward(x, runtime)};
+template <class A>
+Objectness ProposalHead<A>::forward(const typename A::Map& features, const Runtime& runtime) const {
+    const typename A::Map x = conv.forward(features, runtime);
+    return {network::real(logits, x, runtime), network::real(displacements, x, runtime)};
 }
+template struct ProposalHead<network::RealArithmetic>;
+template struct ProposalHead<network::IntegerArithmetic>;
 
 std::vector<Region> propose(const std::vector<Objectness>& levels, const InputSize& size,
                             const ProposalOptions& options) {

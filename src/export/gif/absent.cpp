@@ -8,7 +8,7 @@ namespace pantin {
 
 bool gif_available() { return false; }
 
-std::vector<unsigned char> encode_gif(const std::vector<RgbaImage>&, double) {
+std::vector<unsigned char> encode_gif(const std::vector<RgbaImage>&, double, int) {
     throw Error(ErrorKind::usage, "this pantin was built without GIF (make GIF=1)");
 }
 

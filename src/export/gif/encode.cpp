@@ -12,6 +12,7 @@
 
 #include <gif_lib.h>
 
+#include "core/thread_pool.hpp"
 #include "export/palette.hpp"
 #include "pantin/error.hpp"
 #include "pantin/point.hpp"
@@ -108,7 +109,13 @@ Box opaque_box(const RgbaImage& frame) {
     return right < 0 ? Box{0, 0, 1, 1} : Box{left, top, right - left + 1, bottom - top + 1};
 }
 
-std::vector<GifByteType> indices(const RgbaImage& frame, Box box, const Palette& palette) {
+struct IndexedFrame {
+    Box box;
+    std::vector<GifByteType> rows; // palette indices of the box, row by row
+};
+
+IndexedFrame indexed_frame(const RgbaImage& frame, const Palette& palette) {
+    const Box box = opaque_box(frame);
     std::vector<GifByteType> rows;
     rows.reserve(static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height));
     for (int y = box.y; y < box.y + box.height; ++y)
@@ -117,14 +124,14 @@ std::vector<GifByteType> indices(const RgbaImage& frame, Box box, const Palette&
             rows.push_back(c.a < opaque_alpha ? GifWriter::transparent_index
                                               : static_cast<GifByteType>(palette.index_of(c) + 1));
         }
-    return rows;
+    return {box, std::move(rows)};
 }
 
 } // namespace
 
 bool gif_available() { return true; }
 
-std::vector<unsigned char> encode_gif(const std::vector<RgbaImage>& frames, double fps) {
+std::vector<unsigned char> encode_gif(const std::vector<RgbaImage>& frames, double fps, int threads) {
     if (frames.empty()) throw Error(ErrorKind::internal, "an animation without frames");
     const int delay = std::max(2, static_cast<int>(std::rint(100 / fps)));
     const double length = 100.0 * static_cast<double>(frames.size()) / fps; // of the loop, in 1/100 s
@@ -134,12 +141,15 @@ std::vector<unsigned char> encode_gif(const std::vector<RgbaImage>& frames, doub
     const ColourMap map = make_colour_map(palette);
     std::vector<unsigned char> bytes;
     GifWriter writer(bytes, frames[0].width(), frames[0].height(), map.get());
+    std::vector<IndexedFrame> indexed(frames.size());
+    parallel_for(threads, static_cast<int>(frames.size()), [&](int frame) {
+        const auto i = static_cast<std::size_t>(frame);
+        indexed[i] = indexed_frame(frames[i], palette);
+    });
     for (int i = 0; i < count; ++i) {
         // The frame shown at this time, counted in whole frames to keep clear of rounding.
         const auto shown = static_cast<std::size_t>(i) * frames.size() / static_cast<std::size_t>(count);
-        const Box box = opaque_box(frames[shown]);
-        std::vector<GifByteType> rows = indices(frames[shown], box, palette);
-        writer.add(box, rows, delay);
+        writer.add(indexed[shown].box, indexed[shown].rows, delay);
     }
     writer.close();
     return bytes;

@@ -8,7 +8,7 @@ namespace pantin {
 
 bool webp_available() { return false; }
 
-std::vector<unsigned char> encode_webp(const std::vector<RgbaImage>&, double, std::optional<int>) {
+std::vector<unsigned char> encode_webp(const std::vector<RgbaImage>&, double, std::optional<int>, int) {
     throw Error(ErrorKind::usage, "this pantin was built without WebP (make WEBP=1)");
 }
 

@@ -4,10 +4,11 @@
 
 namespace pantin::compact {
 
-Features Stem::forward(const Tensor& ink, const Runtime& runtime) const {
-    Features features;
+template <class A> Features<A> Stem<A>::forward(const Tensor& ink, const Runtime& runtime) const {
+    Features<A> features;
+    const typename A::Map& input = A::input(ink);
     for (std::size_t i = 0; i < down.size(); ++i) {
-        const Tensor& x = i == 0 ? ink : features.stages.back();
+        const typename A::Map& x = i == 0 ? input : features.stages.back();
         features.stages.push_back(res[i].forward(down[i].forward(x, runtime), runtime));
     }
     return features;
@@ -16,46 +17,45 @@ Features Stem::forward(const Tensor& ink, const Runtime& runtime) const {
 namespace {
 
 // Mean and maximum of each channel, one after the other.
-Tensor pooled(const Tensor& x) {
-    return network::concatenate(network::global_average_pool(x), network::global_max_pool(x));
+template <class Map> Tensor pooled(const Map& x) {
+    return network::concatenate(global_average_pool(x), global_max_pool(x));
 }
 
 } // namespace
 
-Tensor Router::forward(const Features& features, const Runtime& runtime) const {
+template <class A> Tensor Router<A>::forward(const Features<A>& features, const Runtime& runtime) const {
     return network::softmax(linear.forward(pooled(features.stages.back()), runtime), runtime);
 }
 
-Tensor PooledHead::forward(const Features& features, const Runtime& runtime) const {
-    const Tensor x = conv.forward(features.stages.back(), runtime);
+template <class A> Tensor PooledHead<A>::forward(const Features<A>& features, const Runtime& runtime) const {
+    const typename A::Map x = conv.forward(features.stages.back(), runtime);
     return network::softmax(linear.forward(pooled(x), runtime), runtime);
 }
 
-Tensor PoseHead::forward(const Features& features, const Runtime& runtime) const {
-    const Tensor x = conv.forward(features.stages.back(), runtime);
-    const Tensor scores = linear.forward(network::global_average_pool(x), runtime);
+template <class A> Tensor PoseHead<A>::forward(const Features<A>& features, const Runtime& runtime) const {
+    const typename A::Map x = conv.forward(features.stages.back(), runtime);
+    const Tensor scores = linear.forward(global_average_pool(x), runtime);
     return network::softmax(scores, runtime);
 }
 
-Tensor Expert::forward(const Features& features, const Runtime& runtime) const {
-    Tensor x = network::forward(context, features.stages.back(), runtime);
+template <class A> Tensor Expert<A>::forward(const Features<A>& features, const Runtime& runtime) const {
+    typename A::Map x = network::forward(context, features.stages.back(), runtime);
     for (std::size_t i = 0; i < decoder.size(); ++i) {
-        const Tensor& skip = features.stages[features.stages.size() - 2 - i];
-        const Tensor doubled = network::resize_bilinear(x, 2 * x.height(), 2 * x.width(), runtime);
-        x = decoder[i].up.forward(network::concatenate(doubled, skip), runtime);
+        const typename A::Map& skip = features.stages[features.stages.size() - 2 - i];
+        x = decoder[i].up.forward(concatenate(network::doubled(x, runtime), skip), runtime);
         x = network::forward(decoder[i].refine, x, runtime);
     }
-    return network::softmax(logits.forward(x, runtime), runtime);
+    return network::softmax(network::real(logits, x, runtime), runtime);
 }
 
 namespace {
 
 // The stem's stages; the expert decodes them.
-struct Encoded : segmentation::EncodedInput {
-    const Network& network;
-    Features features;
+template <class A> struct Encoded : segmentation::EncodedInput {
+    const Network<A>& network;
+    Features<A> features;
 
-    Encoded(const Network& net, Features stages, const Runtime& runtime)
+    Encoded(const Network<A>& net, Features<A> stages, const Runtime& runtime)
         : network(net), features(std::move(stages)) {
         router = network.router->forward(features, runtime);
         if (network.type) type = network.type->forward(features, runtime);
@@ -69,8 +69,13 @@ struct Encoded : segmentation::EncodedInput {
 
 } // namespace
 
-std::unique_ptr<segmentation::EncodedInput> Network::encode(const Tensor& ink, const Runtime& runtime) const {
-    return std::make_unique<Encoded>(*this, stem.forward(ink, runtime), runtime);
+template <class A>
+std::unique_ptr<segmentation::EncodedInput> Network<A>::encode(const Tensor& ink,
+                                                               const Runtime& runtime) const {
+    return std::make_unique<Encoded<A>>(*this, stem.forward(ink, runtime), runtime);
 }
+
+template struct Network<network::RealArithmetic>;
+template struct Network<network::IntegerArithmetic>;
 
 } // namespace pantin::compact

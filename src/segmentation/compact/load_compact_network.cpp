@@ -33,30 +33,36 @@ void expect(const WeightFile& file, const std::string& key, const std::string& v
 
 struct Shape {
     int in = 0, out = 0, kernel = 3, stride = 1, dilation = 1;
-    bool relu = true;
+    bool adds = false; // a residual block's shortcut comes after it, then the activation
 };
 
 // A convolution without bias, its normalisation folded in.
-network::Convolution read_convolution(const WeightFile& file, const std::string& name, const Shape& shape) {
+template <class A>
+typename A::Convolution read_convolution(const WeightFile& file, const std::string& name,
+                                         const Shape& shape) {
     network::ConvolutionOptions options;
     options.stride = shape.stride;
     options.dilation = shape.dilation;
     options.padding = shape.kernel / 2 * shape.dilation;
-    options.relu = shape.relu;
+    options.relu = !shape.adds;
     const std::string conv = name + ".conv";
     if (file.shape(conv + ".weight") !=
         std::vector<std::int64_t>{shape.out, shape.in, shape.kernel, shape.kernel})
         file.fail("tensor '" + conv + ".weight' has another shape than the metadata says");
-    return network::LayerReader{file}.convolution(conv, name + ".norm", shape.in, options);
+    const typename A::Reader reader{file};
+    return shape.adds ? reader.adding_convolution(conv, name + ".norm", shape.in, options)
+                      : reader.convolution(conv, name + ".norm", shape.in, options);
 }
 
-ResidualBlock read_residual(const WeightFile& file, const std::string& name, int width, int dilation = 1) {
+template <class A>
+network::BasicResidualBlock<A> read_residual(const WeightFile& file, const std::string& name, int width,
+                                             int dilation = 1) {
     const Shape shape{.in = width, .out = width, .dilation = dilation};
     Shape last = shape;
-    last.relu = false; // comes after the sum
-    ResidualBlock block;
-    block.branch.push_back(read_convolution(file, name + ".a", shape));
-    block.branch.push_back(read_convolution(file, name + ".b", last));
+    last.adds = true;
+    network::BasicResidualBlock<A> block;
+    block.branch.push_back(read_convolution<A>(file, name + ".a", shape));
+    block.branch.push_back(read_convolution<A>(file, name + ".b", last));
     return block;
 }
 
@@ -75,44 +81,45 @@ struct Layout {
     std::vector<int> refine;   // number of blocks after each decoder stage
 };
 
-PooledHead read_pooled_head(const WeightFile& file, const std::string& name, const Layout& layout,
-                            std::size_t outputs) {
+template <class A>
+PooledHead<A> read_pooled_head(const WeightFile& file, const std::string& name, const Layout& layout,
+                               std::size_t outputs) {
     const int in = layout.widths.back(), width = layout.decoder[0];
-    return {{read_convolution(file, name + ".conv", {.in = in, .out = width, .stride = 2})},
+    return {{read_convolution<A>(file, name + ".conv", {.in = in, .out = width, .stride = 2})},
             read_linear(file, name + ".linear", 2 * width, static_cast<int>(outputs))};
 }
 
-Expert read_expert(const WeightFile& file, const std::string& name, const Layout& layout) {
+template <class A>
+Expert<A> read_expert(const WeightFile& file, const std::string& name, const Layout& layout) {
     network::ConvolutionOptions doubling;
     doubling.stride = 2;
-    const network::LayerReader reader{file};
+    const typename A::Reader reader{file};
     if (reader.extent(name + ".logits.weight", 4, 1) != label_count ||
         reader.extent(name + ".logits.weight", 4, 2) != 2 ||
         reader.extent(name + ".logits.weight", 4, 3) != 2)
         file.fail("tensor '" + name + ".logits.weight' does not make " + std::to_string(label_count) +
                   " labels at twice the size");
-    Expert expert{{}, {}, reader.transposed_convolution(name + ".logits", layout.decoder.back(), doubling)};
+    Expert<A> expert{
+        {}, {}, reader.transposed_convolution(name + ".logits", layout.decoder.back(), doubling)};
     int width = layout.widths.back();
     for (std::size_t i = 0; i < layout.contexts.size(); ++i)
         expert.context.push_back(
-            read_residual(file, name + ".context." + std::to_string(i), width, layout.contexts[i]));
+            read_residual<A>(file, name + ".context." + std::to_string(i), width, layout.contexts[i]));
     for (std::size_t i = 0; i < layout.decoder.size(); ++i) {
         const int skip = layout.widths[stages - 2 - i], out = layout.decoder[i];
         const std::string number = std::to_string(stages - 1 - i);
-        Expert::Stage stage{{read_convolution(file, name + ".up" + number, {.in = width + skip, .out = out})},
-                            {}};
+        typename Expert<A>::Stage stage{
+            {read_convolution<A>(file, name + ".up" + number, {.in = width + skip, .out = out})}, {}};
         for (int k = 0; k < layout.refine[i]; ++k)
             stage.refine.push_back(
-                read_residual(file, name + ".refine" + number + "." + std::to_string(k), out));
+                read_residual<A>(file, name + ".refine" + number + "." + std::to_string(k), out));
         expert.decoder.push_back(std::move(stage));
         width = out;
     }
     return expert;
 }
 
-} // namespace
-
-std::unique_ptr<segmentation::SegmentationNetwork> load_network(const WeightFile& file) {
+template <class A> std::unique_ptr<segmentation::SegmentationNetwork> load(const WeightFile& file) {
     expect(file, "version", "2");
     expect(file, "labels", joined(label_names));
     expect(file, "poses", joined(pose_names));
@@ -121,8 +128,8 @@ std::unique_ptr<segmentation::SegmentationNetwork> load_network(const WeightFile
                         read_numbers(file, "contexts", 1, max_blocks, 0),
                         read_numbers(file, "refine", 0, max_blocks, stages - 1)};
 
-    auto loaded = std::make_unique<Network>();
-    Network& net = *loaded;
+    auto loaded = std::make_unique<Network<A>>();
+    Network<A>& net = *loaded;
     net.input = parse_number(file, "input", file.metadata("input"), 1, max_input);
     if (net.input % halvings != 0)
         file.fail("metadata 'input' is no multiple of " + std::to_string(halvings));
@@ -131,27 +138,34 @@ std::unique_ptr<segmentation::SegmentationNetwork> load_network(const WeightFile
     for (std::size_t i = 0; i < stages; ++i) {
         const int out = layout.widths[i];
         const std::string number = std::to_string(i + 1);
-        net.stem.down.push_back({read_convolution(
+        net.stem.down.push_back({read_convolution<A>(
             file, "stem.down" + number, {.in = in, .out = out, .kernel = i == 0 ? 5 : 3, .stride = 2})});
-        net.stem.res.push_back(read_residual(file, "stem.res" + number, out));
+        net.stem.res.push_back(read_residual<A>(file, "stem.res" + number, out));
         in = out;
     }
     const int experts = static_cast<int>(net.expert_names.size());
-    net.router.emplace(Router{read_linear(file, "router.linear", 2 * in, experts)});
-    net.pose.emplace(
-        PoseHead{{read_convolution(file, "pose.conv", {.in = in, .out = layout.decoder[0], .stride = 2})},
-                 read_linear(file, "pose.linear", layout.decoder[0], static_cast<int>(pose_names.size()))});
+    net.router.emplace(Router<A>{read_linear(file, "router.linear", 2 * in, experts)});
+    net.pose.emplace(PoseHead<A>{
+        {read_convolution<A>(file, "pose.conv", {.in = in, .out = layout.decoder[0], .stride = 2})},
+        read_linear(file, "pose.linear", layout.decoder[0], static_cast<int>(pose_names.size()))});
     if (file.has_metadata("types")) {
         expect(file, "types", joined(type_names));
-        net.type = read_pooled_head(file, "kind", layout, type_names.size());
+        net.type = read_pooled_head<A>(file, "kind", layout, type_names.size());
     }
     if (file.has_metadata("turns")) {
         expect(file, "turns", "0,90,180,270");
-        net.turn = read_pooled_head(file, "turn", layout, quarter_turns);
+        net.turn = read_pooled_head<A>(file, "turn", layout, quarter_turns);
     }
     for (const std::string& name : net.expert_names)
-        net.experts.push_back(read_expert(file, "experts." + name, layout));
+        net.experts.push_back(read_expert<A>(file, "experts." + name, layout));
     return loaded;
+}
+
+} // namespace
+
+std::unique_ptr<segmentation::SegmentationNetwork> load_network(const WeightFile& file) {
+    return network::holds_integers(file) ? load<network::IntegerArithmetic>(file)
+                                         : load<network::RealArithmetic>(file);
 }
 
 } // namespace pantin::compact
