@@ -63,8 +63,9 @@ bool defines(const std::string& source, const std::string& qualified) {
     const std::size_t colons = qualified.rfind("::");
     const std::string name = colons == std::string::npos ? qualified : qualified.substr(colons + 2);
     const std::string owner = colons == std::string::npos ? "" : qualified.substr(0, colons);
-    if (std::regex_search(source, std::regex("(^|\n)(template <[^\n]*> )?(struct|class|enum class|def|using) " +
-                                             name + "\\b(?!;)")))
+    if (std::regex_search(source,
+                          std::regex("(^|\n)(template <[^\n]*> )?(struct|class|enum class|def|using) " +
+                                     name + "\\b(?!;)")))
         return true;
     for (std::size_t at = source.find(name + "("); at != std::string::npos;
          at = source.find(name + "(", at + 1)) {
