@@ -107,7 +107,8 @@ std::string list_of_names(const Motion& motion) {
 // --- by hand -----------------------------------------------------------------------------------------------
 
 void apply(const JointMap& by_hand, const Motion& motion, MotionJoints& joints) {
-    for (const auto& [part, name] : by_hand) {
+    for (const auto& [part, joint_name] : by_hand) {
+        const std::string& name = joint_name; // for the lambda: clang 14 captures no structured binding
         const auto joint = std::find_if(motion.joints.begin(), motion.joints.end(),
                                         [&](const MotionJoint& j) { return j.name == name; });
         for (const Part& p : body_parts)

@@ -63,15 +63,16 @@ bool defines(const std::string& source, const std::string& qualified) {
     const std::size_t colons = qualified.rfind("::");
     const std::string name = colons == std::string::npos ? qualified : qualified.substr(colons + 2);
     const std::string owner = colons == std::string::npos ? "" : qualified.substr(0, colons);
-    if (std::regex_search(source, std::regex("(^|\n)(template <[^\n]*> )?(struct|class|enum class|def) " +
-                                             name + "\\b(?!;)")))
+    if (std::regex_search(source,
+                          std::regex("(^|\n)(template <[^\n]*> )?(struct|class|enum class|def|using) " +
+                                     name + "\\b(?!;)")))
         return true;
     for (std::size_t at = source.find(name + "("); at != std::string::npos;
          at = source.find(name + "(", at + 1)) {
         if (at > 0 && is_word(source[at - 1])) continue;
         const std::size_t line = source.rfind('\n', at) + 1;
         const std::string before = source.substr(line, at - line);
-        if (!owner.empty() && !before.ends_with(owner + "::") &&
+        if (!owner.empty() && !std::regex_search(before, std::regex(owner + "(<\\w+>)?::$")) &&
             !std::regex_search(source, std::regex("(struct|class) " + owner + " ")))
             continue;
         if (begins_declaration(before) && has_body(source, at + name.size())) return true;
