@@ -303,7 +303,7 @@ public:
 
 private:
     std::string counts() const {
-        return std::to_string(lines_) + " done" +
+        return std::to_string(lines_ - failed_) + " done" +
                (failed_ > 0 ? ", " + std::to_string(failed_) + " failed" : "");
     }
     void count(const BatchCharacter& character) {

@@ -90,7 +90,8 @@ void add_evaluate(Command app) {
         "\"option=value,value;option=value\": all of it for each combination of these values, any of "
         "`pantin options`");
     command.option("--csv", arguments->csv,
-                   "the tables as CSV, too: a file (NAME.csv), or a folder for them and a line a character");
+                   "the tables as CSV, too: a file (NAME.csv), or a folder for them and a line a character "
+                   "(--sweep: its table alone)");
     add_detector_option(command, arguments->common);
     add_common_options(command, arguments->common);
     command.run([arguments] { return run_evaluate(*arguments); });

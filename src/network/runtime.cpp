@@ -98,9 +98,14 @@ bool simd_supported(Simd simd) {
 
 Simd best_simd() {
     if (const char* forced = std::getenv("PANTIN_SIMD"); forced && *forced) {
-        for (const Simd simd : all_simd)
-            if (name_of(simd) == forced && simd_supported(simd)) return simd;
-        throw Error(ErrorKind::usage, std::string("PANTIN_SIMD: this processor has no '") + forced + "'");
+        std::string known;
+        for (const Simd simd : all_simd) {
+            if (!simd_supported(simd)) continue;
+            if (name_of(simd) == forced) return simd;
+            known += (known.empty() ? "" : ", ") + std::string(name_of(simd));
+        }
+        throw Error(ErrorKind::usage, std::string("PANTIN_SIMD: '") + forced +
+                                          "' is none of this processor's instruction sets (" + known + ")");
     }
     return *std::find_if(std::begin(by_speed), std::end(by_speed), simd_supported);
 }

@@ -93,6 +93,8 @@ TEST_CASE("An integer weight file that does not fit is refused by name") {
           "w: tensor 'stem.res1.b.conv.shift' is missing");
     CHECK(failure(with_text(weights(), "\"stem.res1.b.conv.residual\"", "\"stem.res1.b.conv.residuum\"")) ==
           "w: tensor 'stem.res1.b.conv.residual' is missing");
+    CHECK(failure(with_header(weights(), "\"experts\":\"ground,winged\"", "\"experts\":\"ground,ground\"")) ==
+          "w: metadata 'experts' names one twice");
 }
 
 } // namespace pantin::compact

@@ -51,6 +51,8 @@ Options read_options(const WeightFile& file) {
     for (const float deviation : options.transform.deviation)
         if (!(deviation > 0)) file.fail("metadata 'image_std' must be positive");
     read_numbers(file, "anchor_sizes", options.proposals.sizes);
+    for (const float size : options.proposals.sizes)
+        if (!(size > 0)) file.fail("metadata 'anchor_sizes' must be positive");
     read_numbers(file, "anchor_ratios", options.proposals.ratios);
     for (const float ratio : options.proposals.ratios)
         if (!(ratio > 0)) file.fail("metadata 'anchor_ratios' must be positive");

@@ -35,6 +35,8 @@ Filters LayerReader::filters(const std::string& conv, int in) const {
 
 Convolution LayerReader::convolution(const std::string& conv, const std::string&, int in,
                                      const ConvolutionOptions& options) const {
+    if (file.contains(conv + ".residual"))
+        file.fail("tensor '" + conv + ".residual' belongs to a layer to which nothing is added");
     return {checked(conv, filters(conv, in), false), options};
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From the weight file (docs/formats.md) to the compact network's modules.
+#include <set>
+
 #include "network/layer_reader.hpp"
 #include "network/metadata.hpp"
 #include "pantin/label.hpp"
@@ -134,6 +136,9 @@ template <class A> std::unique_ptr<segmentation::SegmentationNetwork> load(const
     if (net.input % halvings != 0)
         file.fail("metadata 'input' is no multiple of " + std::to_string(halvings));
     net.expert_names = split(file.metadata("experts"), ',');
+    if (std::set<std::string>(net.expert_names.begin(), net.expert_names.end()).size() !=
+        net.expert_names.size())
+        file.fail("metadata 'experts' names one twice");
     int in = 1;
     for (std::size_t i = 0; i < stages; ++i) {
         const int out = layout.widths[i];
