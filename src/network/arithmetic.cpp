@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// What a weight file says of its numbers.
 #include "network/arithmetic.hpp"
 
 namespace pantin::network {
