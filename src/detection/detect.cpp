@@ -179,9 +179,9 @@ std::vector<CharacterFinder::Found> find_by_network(const RgbImage& page, const 
                                                     const DetectionOptions& options,
                                                     const CharacterFinder* finder) {
     if (!finder) return {};
+    const RgbImage inverse = page_ink.light_on_dark ? inverted(page) : RgbImage();
     return whole_characters(
-        finder->find(page_ink.light_on_dark ? inverted(page) : page, page_ink.darkness, options.threads),
-        options);
+        finder->find(page_ink.light_on_dark ? inverse : page, page_ink.darkness, options.threads), options);
 }
 
 Grouping group(const std::vector<CharacterFinder::Found>& found, const PageInk& page_ink, const Mask& ink,

@@ -176,14 +176,19 @@ struct Candidate {
     double score; // how well region, quadrilateral and edges agree
 };
 
+double pixels_of(const Mask& mask) { return static_cast<double>(std::count(mask.begin(), mask.end(), 1)); }
+
 // The quadrilateral of the largest bright region at this threshold.
 std::optional<Candidate> sheet_at(const GreyImage& white, int threshold) {
     Mask bright(white.width(), white.height());
     std::transform(white.begin(), white.end(), bright.begin(),
                    [&](std::uint8_t v) -> std::uint8_t { return v >= threshold; });
-    const Mask region = fill_holes(largest_component(close_disc(open_disc(bright, 1.5), 3)));
     const auto pixels = static_cast<double>(white.size());
-    const auto area = static_cast<double>(std::count(region.begin(), region.end(), 1));
+    const Mask opened = open_disc(bright, 1.5), core = largest_component(opened);
+    // Closing and filling only add to it, and no other region can become larger: the usual drawing on white.
+    if (2 * pixels_of(core) > pixels && pixels_of(fill_holes(core)) > most_area * pixels) return std::nullopt;
+    const Mask region = fill_holes(largest_component(close_disc(opened, 3)));
+    const double area = pixels_of(region);
     if (area < 0.9 * least_area * pixels || area > most_area * pixels) return std::nullopt;
     const std::vector<Point2d> hull = convex_hull(region);
     const double hull_area = area_of(hull);

@@ -52,24 +52,30 @@ float lighter_by(Rgb8 pixel, const Colour& paper) {
     return most;
 }
 
-// Distance from the paper, 0 … 1.
-Grid<float> distance_from(const RgbImage& page, const Paper& paper) {
-    Grid<float> darker(page.width(), page.height()), lighter(page.width(), page.height());
-    long dark = 0, light = 0;
+// Calls visit(pixel, paper, darkness) for every pixel of the page.
+template <class Visit>
+void for_each_pixel(const RgbImage& page, const Paper& paper, Grid<float>& darkness, const Visit& visit) {
     for (int y = 0; y < page.height(); ++y) {
         const std::vector<Colour> row = paper_row(paper, y, page.width());
-        for (int x = 0; x < page.width(); ++x) {
-            const Colour& p = row[static_cast<std::size_t>(x)];
-            darker(x, y) = darker_by(page(x, y), p);
-            lighter(x, y) = lighter_by(page(x, y), p);
-            dark += darker(x, y) >= light_ink;
-            light += lighter(x, y) >= light_ink;
-        }
+        for (int x = 0; x < page.width(); ++x)
+            visit(page(x, y), row[static_cast<std::size_t>(x)], darkness(x, y));
     }
-    if (light == 0 || static_cast<double>(light) < light_ink_share * static_cast<double>(dark)) return darker;
-    for (std::size_t i = 0; i < darker.size(); ++i)
-        darker.data()[i] = std::max(darker.data()[i], lighter.data()[i]);
-    return darker;
+}
+
+// Distance from the paper, 0 … 1.
+Grid<float> distance_from(const RgbImage& page, const Paper& paper) {
+    Grid<float> distance(page.width(), page.height());
+    long dark = 0, light = 0;
+    for_each_pixel(page, paper, distance, [&](Rgb8 pixel, const Colour& p, float& d) {
+        d = darker_by(pixel, p);
+        dark += d >= light_ink;
+        light += lighter_by(pixel, p) >= light_ink;
+    });
+    if (light == 0 || static_cast<double>(light) < light_ink_share * static_cast<double>(dark))
+        return distance;
+    for_each_pixel(page, paper, distance,
+                   [](Rgb8 pixel, const Colour& p, float& d) { d = std::max(d, lighter_by(pixel, p)); });
+    return distance;
 }
 
 struct Level {
@@ -174,7 +180,8 @@ PageInk find_page_ink(const RgbImage& page) {
     PageInk ink;
     if (page.empty()) return ink;
     ink.light_on_dark = is_light_on_dark(page);
-    const RgbImage turned = ink.light_on_dark ? inverted(page) : page;
+    const RgbImage inverse = ink.light_on_dark ? inverted(page) : RgbImage();
+    const RgbImage& turned = ink.light_on_dark ? inverse : page;
     const Paper paper = estimate_paper(turned);
     ink.darkness = distance_from(turned, paper);
     ink.bare_border = bare_border(paper);

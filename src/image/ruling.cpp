@@ -33,6 +33,11 @@ public:
     int length() const { return transposed_ ? grid_.height() : grid_.width(); }
     int breadth() const { return transposed_ ? grid_.width() : grid_.height(); }
     T& operator()(int x, int y) const { return transposed_ ? grid_(y, x) : grid_(x, y); }
+    // Calls visit(x, y) for all pixels as they lie in memory.
+    template <class Visit> void for_each(const Visit& visit) const {
+        for (int v = 0; v < grid_.height(); ++v)
+            for (int u = 0; u < grid_.width(); ++u) transposed_ ? visit(v, u) : visit(u, v);
+    }
 
 private:
     Grid<T>& grid_;
@@ -48,19 +53,18 @@ std::vector<Place> ridges(const Along<float>& page, int factor, float contrast) 
     const int reach = std::max(4, std::max(page.length(), page.breadth()) / 100);
     const int length = (page.length() + factor - 1) / factor,
               breadth = (page.breadth() + factor - 1) / factor;
-    Mask found(length, breadth);
-    for (int y = 0; y < page.breadth(); ++y)
-        for (int x = 0; x < page.length(); ++x) {
-            const float d = page(x, y) - contrast;
-            if (d <= 0) continue;
-            if ((y < reach || page(x, y - reach) <= d) &&
-                (y + reach >= page.breadth() || page(x, y + reach) <= d))
-                found(x / factor, y / factor) = 1;
-        }
+    Mask found(breadth, length);
+    page.for_each([&](int x, int y) {
+        const float d = page(x, y) - contrast;
+        if (d <= 0) return;
+        if ((y < reach || page(x, y - reach) <= d) &&
+            (y + reach >= page.breadth() || page(x, y + reach) <= d))
+            found(y / factor, x / factor) = 1;
+    });
     std::vector<Place> places;
     for (int x = 0; x < length; ++x)
         for (int y = 0; y < breadth; ++y)
-            if (found(x, y)) places.push_back({x, y});
+            if (found(y, x)) places.push_back({x, y});
     return places; // column by column
 }
 
@@ -137,6 +141,7 @@ struct Ruling {
 // The direction in which the lines stand out most (the sum of squares of a projection is largest where it is
 // sharpest), and its evenly spaced lines.
 Ruling find_ruling(const std::vector<Place>& places, int length, int breadth) {
+    if (places.empty() || places.back().x - places.front().x < across_page * length) return {};
     const int steps = static_cast<int>(steepest * length);
     double best = -1;
     Ruling ruling;

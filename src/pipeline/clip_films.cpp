@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 #include "core/suggestion.hpp"
 #include "formats/file_names.hpp"
@@ -13,13 +14,12 @@ namespace pantin {
 
 namespace {
 
-View view_for(const Rig& rig, const BoneAnimation& animation, const std::vector<BoneAnimation>& all,
-              const std::string& motion) {
-    if (animation.name == motion) return view_of(rig, {animation});
+// Of all clips but the recorded motion.
+View shared_view(const Character& c, const std::string& motion) {
     std::vector<BoneAnimation> clips;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(clips),
+    std::copy_if(c.animations.begin(), c.animations.end(), std::back_inserter(clips),
                  [&](const BoneAnimation& a) { return a.name != motion; });
-    return view_of(rig, clips);
+    return view_of(c.rig, clips);
 }
 
 } // namespace
@@ -28,6 +28,7 @@ std::vector<ClipFilm> clip_films(const Character& c, Context& context) {
     if (c.animations.empty()) throw CharacterRejected("render", "the " + c.reference.name + " has no clips");
     const std::string& wanted = context.settings().render.clip;
     const std::string motion = context.motion() ? context.motion()->motion.name : "";
+    std::optional<View> shared;
     std::vector<ClipFilm> films;
     std::string names;
     std::vector<std::string> known;
@@ -37,8 +38,9 @@ std::vector<ClipFilm> clip_films(const Character& c, Context& context) {
         if (wanted != "all" && animation.name != wanted) continue;
         const bool first = &animation == &c.animations.front();
         const BoneAnimation filmed = as_filmed(animation);
+        if (animation.name != motion && !shared) shared = shared_view(c, motion);
         films.push_back(
-            {animation, filmed, view_for(c.rig, filmed, c.animations, motion),
+            {animation, filmed, animation.name == motion ? view_of(c.rig, {filmed}) : *shared,
              first ? file_names::animation : std::string(file_names::animation) + "-" + animation.name,
              first});
         if (wanted != "all") break;

@@ -111,9 +111,13 @@ PagePicture on_paper(RgbImage picture, int rotate, bool flattens) {
 } // namespace
 
 PagePicture load_page_picture(const std::filesystem::path& file, int rotate, bool flattens) {
-    const RgbaImage loaded = with_full_alpha(load_rgba(file, min_image_side));
-    const Mask opaque = opaque_pixels(loaded);
-    if (!has_transparent_border(opaque)) return on_paper(composite_on_white(loaded), rotate, flattens);
+    RgbaImage loaded = with_full_alpha(load_rgba(file, min_image_side));
+    Mask opaque = opaque_pixels(loaded);
+    if (!has_transparent_border(opaque)) {
+        RgbImage picture = composite_on_white(loaded);
+        loaded = {}, opaque = {}; // 60 MB of a photograph
+        return on_paper(std::move(picture), rotate, flattens);
+    }
 
     const GreyImage luma = greyscale(colours_of(loaded));
     double share = 0;

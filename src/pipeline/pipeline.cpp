@@ -91,9 +91,11 @@ void run_steps(Character& c, const fs::path& folder, Step first, Step last, Cont
     }
 
     // Step 6 (4.6, 6.1): the clips, frame by frame.
+    std::vector<ClipFilm> films;
     if (runs(Step::render)) {
         if (first == Step::render) notice_motion(folder, c, context);
-        for (const ClipFilm& clip : clip_films(c, context)) {
+        films = clip_films(c, context);
+        for (const ClipFilm& clip : films) {
             write_motions(c.rig, clip.animation, folder, clip.stem, settings.render, clip.first);
             if (!wants_pictures(settings.render)) continue;
             const Film film = render_film(c.rig, clip.filmed, c.texture, clip.view, settings);
@@ -105,7 +107,8 @@ void run_steps(Character& c, const fs::path& folder, Step first, Step last, Cont
 
     // What a person would see at once in the result.
     if (last >= Step::rig) {
-        c.warnings = check_result(c, context);
+        if (films.empty() && !c.animations.empty()) films = clip_films(c, context);
+        c.warnings = check_result(c, films, context);
         for (const Warning& warning : c.warnings) context.warn(folder.string() + ": " + warning.text);
     }
 }

@@ -2,11 +2,9 @@
 // A rigged character and the settings to its warnings: which products the measures look at.
 #include "pipeline/self_check.hpp"
 
-#include "pipeline/clip_films.hpp"
-
 namespace pantin {
 
-std::vector<Warning> check_result(const Character& c, Context& context) {
+std::vector<Warning> check_result(const Character& c, const std::vector<ClipFilm>& films, Context& context) {
     ResultToCheck result{c.drawing,
                          c.mask,
                          c.segmentation.labels,
@@ -17,8 +15,6 @@ std::vector<Warning> check_result(const Character& c, Context& context) {
                          {},
                          c.exact_mask,
                          !context.options().identification.reference.empty()};
-    const std::vector<ClipFilm> films =
-        c.animations.empty() ? std::vector<ClipFilm>() : clip_films(c, context);
     for (const ClipFilm& film : films) result.clips.push_back({film.filmed, film.view});
     return find_warnings(result);
 }

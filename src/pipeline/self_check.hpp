@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "pantin/warnings.hpp"
-#include "pipeline/character.hpp"
+#include "pipeline/clip_films.hpp"
 
 namespace pantin {
 
-// Of a rigged character: the warnings about what the settings show of it.
-std::vector<Warning> check_result(const Character& character, Context& context);
+// Of a rigged character: the warnings about it and the films that the settings show of it.
+std::vector<Warning> check_result(const Character& character, const std::vector<ClipFilm>& films,
+                                  Context& context);
 
 } // namespace pantin

@@ -164,6 +164,9 @@ Mask join_pieces(const Mask& mask, const SilhouetteOptions& options, double long
     Mask rest = where(mask, [&](int x, int y) { return mask(x, y) && !whole(x, y); });
     while (true) {
         const Components pieces = connected_components(rest);
+        if (std::none_of(pieces.list.begin(), pieces.list.end(),
+                         [&](const Component& p) { return p.area >= least; }))
+            return whole;
         const Grid<int> nearest = nearest_seed(whole);
         Gap best;
         int chosen = 0;

@@ -2,6 +2,7 @@
 // Pixel operations against plain definitions: morphology, components, distances, sizes.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -29,7 +30,7 @@ struct RandomMasks {
     std::mt19937 random{7};
     template <class Check> void run(Check check) {
         for (int trial = 0; trial < 150; ++trial) {
-            const int w = 1 + static_cast<int>(random() % 23), h = 1 + static_cast<int>(random() % 19);
+            const int w = 1 + static_cast<int>(random() % 43), h = 1 + static_cast<int>(random() % 19);
             const int percents[] = {0, 1, 3, 20, 50, 90, 99, 100};
             check(random_mask(random, w, h, percents[trial % 8]));
         }
@@ -43,6 +44,16 @@ bool any_near(const Mask& mask, int x, int y, int reach, std::uint8_t value, Nea
         for (int dx = -reach; dx <= reach; ++dx)
             if (near(dx, dy) && mask.value_or(x + dx, y + dy, 0) == value) return true;
     return false;
+}
+
+// The smallest box around the pixels with that number.
+Box box_of(const Grid<int>& ids, int id) {
+    int left = ids.width(), top = ids.height(), right = -1, bottom = -1;
+    for (int y = 0; y < ids.height(); ++y)
+        for (int x = 0; x < ids.width(); ++x)
+            if (ids(x, y) == id)
+                left = std::min(left, x), top = std::min(top, y), right = std::max(right, x), bottom = y;
+    return {left, top, right - left + 1, bottom - top + 1};
 }
 
 } // namespace
@@ -73,6 +84,26 @@ TEST_CASE("Morphology equals its definition on random masks") {
         CHECK(close_square(cs, r) == cs); // idempotent
         CHECK(close_disc(cd, radius) == cd);
     });
+}
+
+// Distances up to 255 lie in bytes.
+TEST_CASE("A dilation by a disc of any size covers what is so near") {
+    std::mt19937 random{11};
+    const Mask mask = random_mask(random, 601, 3, 1);
+    const Grid<int> seeds = nearest_seed(mask);
+    const auto holds = [&](double radius) {
+        const Mask near = dilate_disc(mask, radius);
+        bool same = true;
+        for (int y = 0; y < mask.height(); ++y)
+            for (int x = 0; x < mask.width(); ++x) {
+                const int nearest = seeds(x, y);
+                const double dx = nearest % mask.width() - x, dy = nearest / mask.width() - y;
+                same = same && near(x, y) == (dx * dx + dy * dy <= radius * radius);
+            }
+        return same;
+    };
+    for (const double radius : {0.0, 0.5, 1.5, 7.0, 40.5, 253.9, 254.0, 255.0, 256.5, 700.0})
+        CHECK(holds(radius));
 }
 
 TEST_CASE("A closing bridges gaps of twice its radius") {
@@ -146,14 +177,17 @@ TEST_CASE("Components equal a flood fill on random masks") {
         const Components found = connected_components(mask);
         Grid<int> expected(mask.width(), mask.height(), 0);
         int count = 0;
+        std::vector<int> areas;
         for (int y = 0; y < mask.height(); ++y) {
             for (int x = 0; x < mask.width(); ++x) {
                 if (!mask(x, y) || expected(x, y)) continue;
                 std::vector<Point2i> stack{{x, y}};
                 expected(x, y) = ++count;
+                areas.push_back(0);
                 while (!stack.empty()) {
                     const Point2i p = stack.back();
                     stack.pop_back();
+                    ++areas.back();
                     for (int dy = -1; dy <= 1; ++dy)
                         for (int dx = -1; dx <= 1; ++dx)
                             if (mask.value_or(p.x + dx, p.y + dy, 0) && !expected(p.x + dx, p.y + dy)) {
@@ -164,7 +198,14 @@ TEST_CASE("Components equal a flood fill on random masks") {
             }
         }
         CHECK(found.ids == expected);
-        CHECK(found.list.size() == static_cast<std::size_t>(count));
+        REQUIRE(found.list.size() == static_cast<std::size_t>(count));
+        for (const Component& c : found.list) {
+            CHECK(c.area == areas[c.id - 1]);
+            CHECK(c.box == box_of(expected, c.id));
+            Mask own(mask.width(), mask.height());
+            std::transform(expected.begin(), expected.end(), own.begin(), [&](int id) { return id == c.id; });
+            CHECK(component_mask(found, c.id) == own);
+        }
     });
 }
 
@@ -176,6 +217,27 @@ TEST_CASE("Holes are 4-connected, bounded in area and never open to the border")
     CHECK(fill_holes(diagonal)(2, 2) == 1); // an 8-connected ring holds a 4-connected hole
     const Mask open = from_rows({".###.", ".#.#.", ".#.#."});
     CHECK(fill_holes(open) == open);
+}
+
+TEST_CASE("Holes are what no background beside the border leads to") {
+    RandomMasks masks;
+    masks.run([&](const Mask& mask) {
+        Mask open(mask.width() + 2, mask.height() + 2);
+        open(0, 0) = 1;
+        for (bool grown = true; grown;) {
+            grown = false;
+            for (int y = 0; y < open.height(); ++y)
+                for (int x = 0; x < open.width(); ++x) {
+                    if (open(x, y) || mask.value_or(x - 1, y - 1, 0)) continue;
+                    open(x, y) = open.value_or(x - 1, y, 0) || open.value_or(x + 1, y, 0) ||
+                                 open.value_or(x, y - 1, 0) || open.value_or(x, y + 1, 0);
+                    grown = grown || open(x, y);
+                }
+        }
+        Mask filled = unpad(open, 1);
+        for (std::uint8_t& pixel : filled) pixel = !pixel;
+        CHECK(fill_holes(mask) == filled);
+    });
 }
 
 TEST_CASE("Resizing keeps constants, means and identity") {
