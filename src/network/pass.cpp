@@ -33,8 +33,8 @@ Lanes place_vectors(const Pass& pass, int plane_width, int width) {
 }
 
 int chunk_size(int channels, int width) {
-    constexpr std::ptrdiff_t cached = 256 * 1024; // elements, half of a second-level cache
-    return std::clamp(static_cast<int>(cached / (std::ptrdiff_t{channels} * width)), 4, vectors_per_task);
+    return std::clamp(static_cast<int>(cached_elements / (std::ptrdiff_t{channels} * width)), 4,
+                      vectors_per_task);
 }
 
 } // namespace pantin::network

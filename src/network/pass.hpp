@@ -23,6 +23,7 @@ namespace pantin::network {
 // levels.
 inline constexpr int vectors_per_task = 16;
 inline constexpr int tasks_per_thread = 4; // so that no thread waits long for the last task
+inline constexpr std::ptrdiff_t cached_elements = 256 * 1024; // half of a second-level cache
 
 // A tap reads the input at row y·stride + dy, column x·stride + dx of the padded image, dy and dx ≥ 0.
 struct Tap {
@@ -136,7 +137,7 @@ public:
         const auto [nearest, farthest] = std::minmax_element(taps.begin(), taps.end());
         const std::ptrdiff_t begin = bases[0] + *nearest,
                              length = bases[count - 1] + *farthest + width - begin;
-        if (planes.channel < apart || length * channels > cached) return direct;
+        if (planes.channel < apart || length * channels > cached_elements) return direct;
         // No stretch reaches beyond the scratch memory's spare elements behind the last plane.
         values_ = std::make_unique_for_overwrite<Element[]>(static_cast<std::size_t>(length * channels));
         for (int c = 0; c < channels; ++c)
@@ -147,8 +148,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t apart = 512;            // elements
-    static constexpr std::ptrdiff_t cached = 256 * 1024; // half of a second-level cache
+    static constexpr std::size_t apart = 512; // elements
 
     std::unique_ptr<Element[]> values_;
     std::vector<std::ptrdiff_t> taps_, bases_;

@@ -3,6 +3,7 @@
 #include "network/integer/layer_reader.hpp"
 
 #include "network/layer_reader.hpp"
+#include "pantin/error.hpp"
 
 namespace pantin::network::integer {
 
@@ -10,16 +11,22 @@ int LayerReader::extent(const std::string& tensor, std::size_t rank, std::size_t
     return network::LayerReader{file}.extent(tensor, rank, dimension);
 }
 
-// With the layer's rescaling; what fault_of finds is an error of the file.
-Filters LayerReader::checked(const std::string& name, Filters filters, bool transposed) const {
+void LayerReader::read_rescaling(const std::string& name, Filters& filters) const {
     Rescaling& rescaling = filters.rescaling;
     rescaling.multiplier = file.read_integers<std::int32_t>(name + ".multiplier", {filters.out});
     rescaling.offset = file.read_integers<std::int64_t>(name + ".offset", {filters.out});
     rescaling.shift = file.read_integers<std::int32_t>(name + ".shift", {1})[0];
     filters.zero = file.read_integers<std::uint8_t>(name + ".zero", {1})[0];
-    if (const std::string fault = fault_of(filters, transposed); !fault.empty())
-        file.fail("layer '" + name + "' has " + fault);
-    return filters;
+}
+
+template <class Layer, class Option>
+Layer LayerReader::make(const std::string& name, Filters filters, const Option& option) const {
+    read_rescaling(name, filters);
+    try {
+        return Layer(std::move(filters), option);
+    } catch (const Error& error) {
+        file.fail("layer '" + name + "': " + error.what());
+    }
 }
 
 Filters LayerReader::filters(const std::string& conv, int in) const {
@@ -37,7 +44,7 @@ Convolution LayerReader::convolution(const std::string& conv, const std::string&
                                      const ConvolutionOptions& options) const {
     if (file.contains(conv + ".residual"))
         file.fail("tensor '" + conv + ".residual' belongs to a layer to which nothing is added");
-    return {checked(conv, filters(conv, in), false), options};
+    return make<Convolution>(conv, filters(conv, in), options);
 }
 
 Convolution LayerReader::adding_convolution(const std::string& conv, const std::string&, int in,
@@ -45,7 +52,7 @@ Convolution LayerReader::adding_convolution(const std::string& conv, const std::
     Filters read = filters(conv, in);
     read.rescaling.residual = file.read_integers<std::int32_t>(conv + ".residual", {1})[0];
     if (read.rescaling.residual == 0) file.fail("tensor '" + conv + ".residual' is 0");
-    return {checked(conv, std::move(read), false), options};
+    return make<Convolution>(conv, std::move(read), options);
 }
 
 TransposedConvolution LayerReader::transposed_convolution(const std::string& layer, int in,
@@ -57,7 +64,7 @@ TransposedConvolution LayerReader::transposed_convolution(const std::string& lay
     filters.height = extent(name, 4, 2);
     filters.width = extent(name, 4, 3);
     filters.weights = file.read_integers<std::int8_t>(name, {in, filters.out, filters.height, filters.width});
-    return {checked(layer, std::move(filters), true), options};
+    return make<TransposedConvolution>(layer, std::move(filters), options);
 }
 
 Linear LayerReader::linear(const std::string& layer, int in, int places) const {
@@ -65,7 +72,7 @@ Linear LayerReader::linear(const std::string& layer, int in, int places) const {
     filters.in = in;
     filters.out = extent(layer + ".weight", 2, 0);
     filters.weights = file.read_integers<std::int8_t>(layer + ".weight", {filters.out, in});
-    return {checked(layer, std::move(filters), false), places};
+    return make<Linear>(layer, std::move(filters), places);
 }
 
 network::Linear LayerReader::real_linear(const std::string& name, int in) const {

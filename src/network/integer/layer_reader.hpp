@@ -29,7 +29,10 @@ struct LayerReader {
 
 private:
     Filters filters(const std::string& conv, int in) const;
-    Filters checked(const std::string& name, Filters filters, bool transposed) const;
+    void read_rescaling(const std::string& name, Filters& filters) const;
+    // The layer, whose constructor proves that nothing can overflow; its error names the layer.
+    template <class Layer, class Option>
+    Layer make(const std::string& name, Filters filters, const Option& option) const;
 };
 
 } // namespace pantin::network::integer

@@ -37,7 +37,7 @@ std::vector<std::uint64_t> largest_sums(const Filters& filters, bool transposed)
 
 void check(const Filters& filters, bool transposed) {
     if (const std::string fault = fault_of(filters, transposed); !fault.empty())
-        fail("a layer on bytes: " + fault);
+        throw Error(ErrorKind::weights, fault);
 }
 
 } // namespace
