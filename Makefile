@@ -2,6 +2,7 @@
 # Pantin. `make demo` and `make test` do everything on a fresh Debian 12, set-up included.
 #   config=release|debug|sanitize   objects and programs go to build/$(config)/
 #   GLPK=0 WEBP=0 GIF=0 YAML=0 PUGIXML=0 CGAL=0   build without that library; =1: stop when it is not there
+#   WEIGHTS=0 EXPLAIN=0 MODELING=0 VERIFY=0       a smaller program: without that data or command (README, "Small builds")
 #   STATIC=1                        one static binary, build/release-static/pantin
 #   werror=1                        warnings are errors (CI);    CXX=clang++  another compiler
 #   CPPFLAGS= CXXFLAGS= LDFLAGS= LDLIBS=   are added to ours
@@ -67,6 +68,15 @@ else ifeq ($($(1)),1)
 endif
 endef
 switches := $(foreach library,$(LIBRARIES),$(library)=$($(library)))
+
+# --- what a small program leaves out ---------------------------------------------------------------------------------------------
+# Commands in the same way, with what is compiled in for them. The library stays whole; what no command calls is not linked.
+FEATURES := WEIGHTS EXPLAIN MODELING VERIFY
+EXPLAIN_folders := src/cli/explain
+MODELING_folders := src/cli/model
+VERIFY_folders := src/cli/verify
+$(foreach feature,$(FEATURES),$(eval $(feature) ?= 1)$(if $(filter-out 0 1,$($(feature))),$(error $(feature) must be 0 or 1, not '$($(feature))')))
+without := $(strip $(foreach feature,$(FEATURES),$(if $(filter 0,$($(feature))),$(feature)=0)))
 ifneq ($(filter-out demo test sanitize deps clean uninstall format check-format,$(or $(MAKECMDGOALS),all)),)
   $(foreach library,$(LIBRARIES),$(eval $(call detect,$(library))))
 endif
@@ -130,9 +140,9 @@ $(BUILD)/src/image/load.o: cxxflags += -fwrapv
 $(BUILD)/tests/modeling/cgal/%.o: cxxflags += -O1 -frounding-math -Wno-unknown-warning-option -Wno-maybe-uninitialized
 
 # --- sources ---------------------------------------------------------------------------------------------------------------------
-left_out := $(foreach library,$(LIBRARIES),$(addsuffix /$(if $(filter 1,$($(library))),absent.cpp,%),$($(library)_folders)))
+left_out := $(foreach name,$(LIBRARIES) $(FEATURES),$(addsuffix /$(if $(filter 1,$($(name))),absent.cpp,%),$($(name)_folders)))
 left_out += $(if $(filter 1,$(STATIC)),,src/core/static_program/%)
-absent := $(foreach library,$(call with,0),$(addsuffix /absent.cpp,$($(library)_folders)))
+absent := $(foreach name,$(call with,0) $(subst =0,,$(without)),$(addsuffix /absent.cpp,$($(name)_folders)))
 # $(call objects_of,FOLDERS): of all their sources, but for main.cpp
 objects_of = $(patsubst %.cpp,$(BUILD)/%.o,$(filter-out %/main.cpp,$(filter-out $(left_out),$(sort $(wildcard \
     $(foreach folder,$(1),$(folder)/*.cpp $(folder)/*/*.cpp $(folder)/*/*/*.cpp)))) $(filter $(addsuffix /%,$(1)),$(absent))))
@@ -144,12 +154,14 @@ TEST_OBJECTS := $(call objects_of,tests) $(BUILD)/tests/main.o $(BUILD)/tools/be
 BENCH_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tools/bench/*.cpp))
 COMPARE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tools/compare/*.cpp))
 EVALUATE_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(wildcard tools/identification/*.cpp))
-RESOURCES := $(sort $(wildcard weights/*.safetensors references/*.json src/explain/assets/*.* src/explain/assets/*/*.*))
+RESOURCES := $(sort $(wildcard references/*.json $(if $(filter 1,$(WEIGHTS)),weights/*.safetensors) \
+    $(if $(filter 1,$(EXPLAIN)),src/explain/assets/*.* src/explain/assets/*/*.*)))
+ARCHIVES := $(if $(filter 1,$(VERIFY)),vectors.tar.gz)
 VECTORS := $(sort $(shell find testdata/vectors)) # folders, too, so that a file that goes away counts
 # The folder $(2) of $(1) as an archive whose bytes depend on its files alone.
 pack = tar -C $(1) --format=ustar --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX -cf - $(2) | gzip -9 -n
 
-.PHONY: all FORCE demo demo-run test test-run sanitize deps doodle libraries bench figures results verify update-verify verify-arm64 \
+.PHONY: all FORCE whole demo demo-run test test-run sanitize deps doodle libraries bench figures results verify update-verify verify-arm64 \
     vectors vectors-files test-web check-gltf install install-files uninstall clean format check-format tidy compile_commands.json
 all: $(BUILD)/pantin
 
@@ -173,8 +185,12 @@ libraries:
 demo-run: $(BUILD)/pantin
 	$(BUILD)/pantin animate testdata/demo.png -o out/demo
 
-test-run: $(BUILD)/pantin-tests $(BUILD)/pantin $(BUILD)/doodle
-	PANTIN=$(BUILD)/pantin DOODLE=$(BUILD)/doodle $(BUILD)/pantin-tests $(TEST_ARGS)
+# The tests are about the whole program, several files of them at a time.
+test-run: $(if $(without),whole,$(BUILD)/pantin-tests $(BUILD)/pantin $(BUILD)/doodle)
+	PANTIN=$(BUILD)/pantin DOODLE=$(BUILD)/doodle $(BUILD)/pantin-tests --jobs $(TEST_JOBS) $(TEST_ARGS)
+TEST_JOBS ?= $(shell nproc 2>/dev/null || echo 2)
+whole:
+	$(error the tests need the whole program, not one made with $(without))
 
 sanitize:
 	@$(MAKE) --no-print-directory config=sanitize test
@@ -263,9 +279,11 @@ $(eval $(call program,motion_quality,$(BUILD)/tools/motion_quality/main.o))
 ALL_OBJECTS := $(sort $(ALL_OBJECTS))
 
 # Weights and references are compiled in, so that the program is one file that runs anywhere.
-$(BUILD)/resources.S: tools/embed.sh $(RESOURCES) $(BUILD)/vectors.tar.gz Makefile
+$(BUILD)/resources.stamp: FORCE
+	$(call stamp,$(RESOURCES) $(ARCHIVES))
+$(BUILD)/resources.S: tools/embed.sh $(RESOURCES) $(addprefix $(BUILD)/,$(ARCHIVES)) Makefile $(BUILD)/resources.stamp
 	@mkdir -p $(@D)
-	$(call run,DATA)tools/embed.sh $(RESOURCES) vectors.tar.gz=$(BUILD)/vectors.tar.gz > $@.tmp && mv $@.tmp $@
+	$(call run,DATA)tools/embed.sh $(RESOURCES) $(foreach archive,$(ARCHIVES),$(archive)=$(BUILD)/$(archive)) > $@.tmp && mv $@.tmp $@
 $(BUILD)/vectors.tar.gz: $(VECTORS) Makefile
 	@mkdir -p $(@D)
 	$(call run,DATA)$(call pack,testdata,vectors) > $@.tmp && mv $@.tmp $@

@@ -58,6 +58,7 @@ Option Command::option(const std::string& names, std::vector<std::string>& value
 Option Command::flag(const std::string& names, bool& value, const std::string& description) {
     return Option(app_->add_flag(names, value, description));
 }
+void Command::takes_anything() { app_->allow_extras()->prefix_command(); }
 void Command::run(const Run& action) {
     app_->callback([action, chosen = chosen_] { *chosen = action; });
 }

@@ -68,6 +68,8 @@ public:
     // One word a time: what follows is not taken for a further value.
     Option option(const std::string& names, std::vector<int>& values, const std::string& description);
     Option flag(const std::string& names, bool& value, const std::string& description);
+    // Whatever follows the command is taken, and not looked at.
+    void takes_anything();
     // What the command does when the user chose it.
     void run(const Run& action);
     CommandText text() const;

@@ -56,6 +56,9 @@ void print_result(const CommonOptions& options, const std::string& line);
 // What --version prints: libraries, kernel, weights, licence.
 std::string version_text();
 
+// A command that says that the program was made without it, with what switch of make.
+void add_left_out(Command app, const std::string& name, const std::string& made_with);
+
 void add_animate(Command app);
 void add_steps(Command app);
 void add_evaluate(Command app);

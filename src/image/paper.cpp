@@ -38,9 +38,15 @@ int block_size(int width, int height) {
     return std::max(min_block, (std::max(width, height) + blocks_per_side - 1) / blocks_per_side);
 }
 
-template <class Visit> void for_each_pixel(const RgbImage& page, int block, int bx, int by, Visit visit) {
-    for (int y = by * block; y < std::min(page.height(), (by + 1) * block); ++y)
-        for (int x = bx * block; x < std::min(page.width(), (bx + 1) * block); ++x) visit(x, y);
+// Calls visit(colour, brightness) for the block's pixels.
+template <class Visit>
+void for_each_pixel(const RgbImage& page, const GreyImage& grey, int block, int bx, int by, Visit visit) {
+    const int end = std::min(page.width(), (bx + 1) * block);
+    for (int y = by * block; y < std::min(page.height(), (by + 1) * block); ++y) {
+        const Rgb8* const colours = page.row(y);
+        const std::uint8_t* const values = grey.row(y);
+        for (int x = bx * block; x < end; ++x) visit(colours[x], values[x]);
+    }
 }
 
 // The value of the block at that percentile of brightness, in the mean tint of the pixels that are about as
@@ -49,16 +55,15 @@ Colour percentile_colour(const RgbImage& page, const GreyImage& grey, int block,
                          int percent) {
     std::array<int, 256> histogram{};
     int count = 0;
-    for_each_pixel(page, block, bx, by, [&](int x, int y) { ++histogram[grey(x, y)], ++count; });
+    for_each_pixel(page, grey, block, bx, by, [&](Rgb8, int level) { ++histogram[level], ++count; });
     int value = 0;
     for (int below = histogram[0]; 100 * below < percent * count; below += histogram[value]) ++value;
     std::array<long, 3> sum{};
     long total = 0;
-    for_each_pixel(page, block, bx, by, [&](int x, int y) {
-        if (std::abs(grey(x, y) - value) > 4) return;
-        const Rgb8 p = page(x, y);
+    for_each_pixel(page, grey, block, bx, by, [&](Rgb8 p, int level) {
+        if (std::abs(level - value) > 4) return;
         sum[0] += p.r, sum[1] += p.g, sum[2] += p.b;
-        total += grey(x, y);
+        total += level;
     });
     const auto level = static_cast<float>(value);
     if (total == 0) return {level, level, level};

@@ -33,10 +33,14 @@ public:
     int length() const { return transposed_ ? grid_.height() : grid_.width(); }
     int breadth() const { return transposed_ ? grid_.width() : grid_.height(); }
     T& operator()(int x, int y) const { return transposed_ ? grid_(y, x) : grid_(x, y); }
-    // Calls visit(x, y) for all pixels as they lie in memory.
+    // From a pixel to the next one of its column, in elements.
+    std::ptrdiff_t step() const { return transposed_ ? 1 : grid_.width(); }
+    // Calls visit(x, y, pixel) for all pixels as they lie in memory.
     template <class Visit> void for_each(const Visit& visit) const {
-        for (int v = 0; v < grid_.height(); ++v)
-            for (int u = 0; u < grid_.width(); ++u) transposed_ ? visit(v, u) : visit(u, v);
+        for (int v = 0; v < grid_.height(); ++v) {
+            const T* const row = grid_.row(v);
+            for (int u = 0; u < grid_.width(); ++u) transposed_ ? visit(v, u, row[u]) : visit(u, v, row[u]);
+        }
     }
 
 private:
@@ -54,11 +58,11 @@ std::vector<Place> ridges(const Along<float>& page, int factor, float contrast) 
     const int length = (page.length() + factor - 1) / factor,
               breadth = (page.breadth() + factor - 1) / factor;
     Mask found(breadth, length);
-    page.for_each([&](int x, int y) {
-        const float d = page(x, y) - contrast;
+    const std::ptrdiff_t across = reach * page.step();
+    page.for_each([&](int x, int y, const float& at) {
+        const float d = at - contrast;
         if (d <= 0) return;
-        if ((y < reach || page(x, y - reach) <= d) &&
-            (y + reach >= page.breadth() || page(x, y + reach) <= d))
+        if ((y < reach || (&at)[-across] <= d) && (y + reach >= page.breadth() || (&at)[across] <= d))
             found(y / factor, x / factor) = 1;
     });
     std::vector<Place> places;

@@ -4,6 +4,8 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <string>
+#include <tuple>
 
 #include <sys/wait.h>
 
@@ -62,6 +64,39 @@ TEST_CASE("A library that the user wants and that is not there is one line, befo
     }
     CHECK_FALSE(fs::exists(folder / "build/src"));
     CHECK(make("libraries GLPK=yes").code == 2);
+}
+
+TEST_CASE("A small program has neither the commands that are left out nor their data", "[cli][make]") {
+    const TemporaryFolder folder;
+    const std::string program = (folder / "build").string() + "/pantin";
+    const auto plan = [&](const std::string& switches) {
+        return make("-n " + switches + " BUILD=" + (folder / "build").string() + " " + program);
+    };
+    const std::string whole = plan("").out;
+    for (const auto& [name, folder_of_command, data] :
+         {std::tuple<std::string, std::string, std::string>{"EXPLAIN", "src/cli/explain/", "page.html"},
+          {"MODELING", "src/cli/model/", ""},
+          {"VERIFY", "src/cli/verify/", "vectors.tar.gz"},
+          {"WEIGHTS", "", "weights/segmenter.safetensors"}}) {
+        const Outcome outcome = plan(name + "=0");
+        CAPTURE(name);
+        REQUIRE(outcome.code == 0);
+        const auto has = [](const std::string& text, const std::string& word) {
+            return text.find(word) != std::string::npos;
+        };
+        if (!data.empty()) {
+            CHECK(has(whole, data));
+            CHECK_FALSE(has(outcome.out, data));
+        }
+        if (folder_of_command.empty()) continue;
+        CHECK(has(whole, folder_of_command + "command.o"));
+        CHECK_FALSE(has(whole, folder_of_command + "absent.o"));
+        CHECK_FALSE(has(outcome.out, folder_of_command + "command.o"));
+        CHECK(has(outcome.out, folder_of_command + "absent.o"));
+    }
+    CHECK(make("EXPLAIN=no " + program).code == 2);
+    // The tests are about the whole program.
+    CHECK(make("test-run VERIFY=0 BUILD=" + (folder / "build").string()).code == 2);
 }
 
 TEST_CASE("A change of flags makes objects again, the same flags do not; flags are added to ours",
