@@ -121,13 +121,13 @@ computing_tests := geometry identification modeling network replay skeletonizati
 glue := cli/% evaluation/% formats/% pipeline/% modeling/pugixml/% modeling/strokes_% modeling/svg_%
 hot := animation/rasteriser animation/film_texture network/kernel_% network/integer/kernel_%
 # Loops over pixels and weights, which vectors make a fifth faster.
-pixel_modules := image network segmentation detection
+pixel_loops := image/% network/% segmentation/% detection/% geometry/borders skeletonization/thinning
 objects = $(patsubst %,$(BUILD)/src/%.o,$(1))
 $(BUILD)/tests/%.o: cppflags += -Itests
 $(BUILD)/tests/%.o: cxxflags += -O0
 ifeq ($(config),release)
 # (There g++ 12 reports false overlaps of joined strings: its bug 105651.)
-$(foreach module,$(pixel_modules),$(BUILD)/src/$(module)/%.o): cxxflags += -O3 -Wno-unknown-warning-option -Wno-restrict
+$(call objects,$(pixel_loops)): cxxflags += -O3 -Wno-unknown-warning-option -Wno-restrict
 $(foreach module,$(computing_tests),$(BUILD)/tests/$(module)/%.o): cxxflags += -O1
 else ifeq ($(config),sanitize)
 $(call objects,$(glue)): cxxflags += -O0

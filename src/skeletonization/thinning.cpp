@@ -6,55 +6,110 @@
 #include "pantin/skeletonization.hpp"
 
 #include <array>
+#include <bit>
+#include <utility>
 
+#include "skeletonization/bit_tiles.hpp"
 #include "skeletonization/neighbourhood.hpp"
 
 namespace pantin {
 namespace {
 
-// Conditions C_a to C_d (C_c' and C_d' in the second sub-iteration) as a bit table over the 256
-// neighbourhoods; bit k stands for P_{k+2}, as in `neighbourhood`.
-std::array<bool, 256> deletable(bool second) {
-    std::array<bool, 256> table{};
-    for (int n = 0; n < 256; ++n) {
-        const auto p = [n](int i) { return (n >> (i - 2)) & 1; }; // P_2 … P_9
-        int b = 0, a = 0;                                         // B(P_1) and A(P_1)
-        for (int i = 2; i <= 9; ++i) {
-            b += p(i);
-            a += p(i) == 0 && p(i == 9 ? 2 : i + 1) == 1;
-        }
-        const bool c = second ? p(2) * p(4) * p(8) == 0 : p(2) * p(4) * p(6) == 0;
-        const bool d = second ? p(2) * p(6) * p(8) == 0 : p(4) * p(6) * p(8) == 0;
-        table[n] = 2 <= b && b <= 6 && a == 1 && c && d;
+// The pixels of a tile that fulfil C_a to C_d (C_c' and C_d' in the second sub-iteration).
+Tile deletable(Tile tile, const NeighbourTiles& n, bool second) {
+    const std::array<Tile, 8> p = {n.north, n.north_east, n.east, n.south_east,
+                                   n.south, n.south_west, n.west, n.north_west};
+    // Steps from 0 to 1 on the way round: A(P_1) = 1 where there is one. Then the neighbours that are 1 lie
+    // side by side, and so do the others: B(P_1) ≥ 2 where two ones are side by side, ≤ 6 where two zeros
+    // are.
+    Tile one = 0, more = 0, ones = 0, zeros = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const Tile a = p[i], b = p[(i + 1) % p.size()], step = ~a & b;
+        more |= one & step;
+        one |= step;
+        ones |= a & b;
+        zeros |= ~(a | b);
     }
-    return table;
+    const Tile c_and_d =
+        second ? ~(n.north & n.west & (n.east | n.south)) : ~(n.east & n.south & (n.north | n.west));
+    return tile & one & ~more & ones & zeros & c_and_d;
+}
+
+// Tiles to look at in a sub-iteration, each once.
+class Waiting {
+public:
+    explicit Waiting(std::size_t tiles) : waits_(tiles) {}
+    void add(std::size_t tile) {
+        if (waits_[tile]) return;
+        waits_[tile] = 1;
+        tiles_.push_back(tile);
+    }
+    std::vector<std::size_t> take() {
+        for (const std::size_t tile : tiles_) waits_[tile] = 0;
+        return std::exchange(tiles_, {});
+    }
+
+private:
+    std::vector<char> waits_;
+    std::vector<std::size_t> tiles_;
+};
+
+// Of a sub-iteration: M.
+struct Marked {
+    std::size_t tile;
+    Tile pixels;
+};
+
+// Calls add(tile) for the tiles whose pixels have a neighbour among those.
+template <class Add> void for_each_touched(const BitTiles& tiles, const Marked& marked, const Add& add) {
+    const std::size_t at = marked.tile, stride = tiles.stride();
+    const Tile pixels = marked.pixels;
+    add(at);
+    if (pixels & tile_row(0)) add(at - stride);
+    if (pixels & tile_row(7)) add(at + stride);
+    if (pixels & tile_column(0)) add(at - 1);
+    if (pixels & tile_column(7)) add(at + 1);
+    if (pixels & tile_row(0) & tile_column(0)) add(at - stride - 1);
+    if (pixels & tile_row(0) & tile_column(7)) add(at - stride + 1);
+    if (pixels & tile_row(7) & tile_column(0)) add(at + stride - 1);
+    if (pixels & tile_row(7) & tile_column(7)) add(at + stride + 1);
 }
 
 } // namespace
 
+// A pixel that stays in a sub-iteration stays in the next one of its kind, too, unless a neighbour has gone
+// since. So only tiles next to deleted pixels are looked at again.
 Thinning zhang_suen_steps(const Mask& mask, ThinningStop stop) {
-    static const std::array<std::array<bool, 256>, 2> tables = {deletable(false), deletable(true)};
     Thinning result{mask, Grid<std::uint16_t>(mask.width(), mask.height())};
-    Mask& image = result.thinned;
-    std::vector<Point2i> foreground = foreground_pixels(image), marked; // `marked` is M
+    BitTiles tiles(mask);
+    std::array<Waiting, 2> waiting = {Waiting(tiles.size()), Waiting(tiles.size())};
+    for (std::size_t i = 0; i < tiles.size(); ++i)
+        if (tiles[i])
+            for (Waiting& kind : waiting) kind.add(i);
+    const auto erase = [&](const Marked& marked, std::uint16_t step) {
+        const int x = 8 * tiles.x_of(marked.tile), y = 8 * tiles.y_of(marked.tile);
+        tiles[marked.tile] &= ~marked.pixels;
+        for (Tile rest = marked.pixels; rest; rest &= rest - 1) {
+            const int bit = std::countr_zero(rest);
+            result.thinned(x + bit % 8, y + bit / 8) = 0;
+            result.removed_in(x + bit % 8, y + bit / 8) = step;
+        }
+        for_each_touched(tiles, marked, [&](std::size_t tile) {
+            if (tiles[tile])
+                for (Waiting& kind : waiting) kind.add(tile);
+        });
+    };
     std::uint16_t step = 0;
+    std::vector<Marked> marked;
     for (bool changed = true; changed;) {
         changed = false;
-        for (const auto& table : tables) {
+        for (const bool second : {false, true}) {
             ++step;
             marked.clear();
-            std::size_t kept = 0;
-            for (const Point2i p : foreground) {
-                if (table[neighbourhood(image, p.x, p.y)])
-                    marked.push_back(p);
-                else
-                    foreground[kept++] = p;
-            }
-            foreground.resize(kept);
-            for (const Point2i p : marked) {
-                image(p.x, p.y) = 0;
-                result.removed_in(p.x, p.y) = step;
-            }
+            for (const std::size_t tile : waiting[second].take())
+                if (const Tile pixels = deletable(tiles[tile], tiles.neighbours(tile), second))
+                    marked.push_back({tile, pixels});
+            for (const Marked& m : marked) erase(m, step);
             if (stop == ThinningStop::either && marked.empty()) return result; // lines 11 and 21
             changed |= !marked.empty();
         }
