@@ -37,9 +37,8 @@ struct ModelPicture {
     RgbImage drawing; // flat colours on white, twice the size of the labels
     LabelMap labels;
 };
-// The model as a drawing, near parts in front; parts that the united `solid` has thicker than they are drawn
-// are seen so. Error(input) when a part has no area. Own.
-ModelPicture draw(Model& model, const ModelView& view, const SolidMesh& solid = {});
+// The model as a drawing, near parts in front. Error(input) when a part has no area. Own.
+ModelPicture draw(Model& model, const ModelView& view);
 // The part (an index of parts()) that is seen at each pixel of the view, −1 where there is none. Error(input)
 // when a part has no area. Own.
 Grid<int> seen_parts(Model& model, const ModelView& view);

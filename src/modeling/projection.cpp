@@ -51,7 +51,7 @@ void rasterise(DepthPicture& picture, const std::array<Vec3, 3>& corners, int pa
 }
 
 // `finer` pixels to one of the view's, which the same centres share.
-DepthPicture picture_of(Model& model, const ModelView& view, const SolidMesh& solid, int finer) {
+DepthPicture picture_of(Model& model, const ModelView& view, int finer) {
     DepthPicture picture{
         Grid<int>(view.width * finer, view.height * finer, -1),
         Grid<double>(view.width * finer, view.height * finer, -std::numeric_limits<double>::infinity())};
@@ -65,12 +65,6 @@ DepthPicture picture_of(Model& model, const ModelView& view, const SolidMesh& so
             rasterise(picture, {place(mesh.vertices[a]), place(mesh.vertices[b]), place(mesh.vertices[c])},
                       part);
     }
-    // What the union made thicker is seen as it is there.
-    for (const auto& [a, b, c] : solid.triangles)
-        if (const int part = solid.parts[a];
-            std::binary_search(solid.thin_parts.begin(), solid.thin_parts.end(), part))
-            rasterise(picture, {place(solid.vertices[a]), place(solid.vertices[b]), place(solid.vertices[c])},
-                      part);
     return picture;
 }
 
@@ -171,9 +165,9 @@ ModelView view_of(const Model& model, const SolidMesh& mesh, int size) {
     return view;
 }
 
-ModelPicture draw(Model& model, const ModelView& view, const SolidMesh& solid) {
-    const DepthPicture coarse = picture_of(model, view, solid, 1),
-                       fine = picture_of(model, view, solid, drawing_scale);
+ModelPicture draw(Model& model, const ModelView& view) {
+    const DepthPicture coarse = picture_of(model, view, 1),
+                       fine = picture_of(model, view, drawing_scale);
     ModelPicture picture{RgbImage(fine.part.width(), fine.part.height(), paper),
                          LabelMap(view.width, view.height)};
     const std::vector<ModelPart>& parts = model.parts();
@@ -186,7 +180,7 @@ ModelPicture draw(Model& model, const ModelView& view, const SolidMesh& solid) {
     return picture;
 }
 
-Grid<int> seen_parts(Model& model, const ModelView& view) { return picture_of(model, view, {}, 1).part; }
+Grid<int> seen_parts(Model& model, const ModelView& view) { return picture_of(model, view, 1).part; }
 
 SkeletonGraph project_skeleton(const Model& model, const ModelView& view) {
     const ModelSkeleton& skeleton = model.skeleton();

@@ -117,7 +117,7 @@ void model_folder(const fs::path& input, const fs::path& out, const fs::path& ca
         view.height = source.picture->labels.height();
     } else {
         view = view_of(model, mesh);
-        source.picture = draw(model, view, mesh);
+        source.picture = draw(model, view);
         if (source.painted) source.picture->drawing = painted(source.strokes, view, source.picture->labels);
     }
     progress("weights", 0.6);

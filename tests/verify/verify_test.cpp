@@ -145,7 +145,7 @@ TEST_CASE("A changed option is seen in its stage alone, with file, place and bot
     settings.options.rigging.mapping.position_weight = 3;
     settings.options.rigging.limb_segments = 1;
     settings.options.animation.samples = 6;
-    settings.options.modeling.unite.cells_across = 12;
+    settings.options.modeling.inflation.longest_edge = 0.12;
     const Verification verification = verify(settings);
     INFO(verification_table(verification));
     const std::set<std::string> found = differing(verification);
