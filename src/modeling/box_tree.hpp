@@ -53,9 +53,7 @@ private:
         const int middle = (first + last) / 2;
         const auto place = [&](int i) { return boxes_[i].low[axis] + boxes_[i].high[axis]; };
         std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
-                         [&](int i, int k) {
-                             return place(i) != place(k) ? place(i) < place(k) : i < k;
-                         });
+                         [&](int i, int k) { return place(i) != place(k) ? place(i) < place(k) : i < k; });
         build(first, middle);
         const int right = build(middle, last);
         nodes_[at].right = right;

@@ -58,7 +58,8 @@ void join(std::vector<Loop>& borders, const Loop& hole, const std::vector<Loop>&
         const auto& [length, b, i, k] = way;
         const LoopCorner &from = borders[b][i], &to = hole[k];
         if (!leaves_inwards(borders[b], i, to) || !leaves_inwards(hole, k, from)) return false;
-        for (const std::vector<Loop>* loops : std::initializer_list<const std::vector<Loop>*>{&borders, &holes})
+        for (const std::vector<Loop>* loops :
+             std::initializer_list<const std::vector<Loop>*>{&borders, &holes})
             for (const Loop& loop : *loops)
                 for (std::size_t c = 0; c < loop.size(); ++c)
                     if (crosses(from, to, loop[c], loop[(c + 1) % loop.size()])) return false;

@@ -82,8 +82,8 @@ void split_chords(Inflation& mesh) {
         int centre = middles[t].front();
         if (middles[t].size() > 1 || centre < 0) {
             centre = static_cast<int>(mesh.points.size());
-            mesh.points.push_back((1.0 / 3) * (mesh.points[corners[0]] + mesh.points[corners[1]] +
-                                               mesh.points[corners[2]]));
+            mesh.points.push_back(
+                (1.0 / 3) * (mesh.points[corners[0]] + mesh.points[corners[1]] + mesh.points[corners[2]]));
             mesh.border.push_back(0);
         }
         std::vector<std::array<int, 3>> fan;

@@ -166,8 +166,7 @@ ModelView view_of(const Model& model, const SolidMesh& mesh, int size) {
 }
 
 ModelPicture draw(Model& model, const ModelView& view) {
-    const DepthPicture coarse = picture_of(model, view, 1),
-                       fine = picture_of(model, view, drawing_scale);
+    const DepthPicture coarse = picture_of(model, view, 1), fine = picture_of(model, view, drawing_scale);
     ModelPicture picture{RgbImage(fine.part.width(), fine.part.height(), paper),
                          LabelMap(view.width, view.height)};
     const std::vector<ModelPart>& parts = model.parts();

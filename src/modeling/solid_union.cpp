@@ -100,7 +100,7 @@ GridBox box_of(const Corners& t) {
 // Triangles of a surface that may meet the other one, with their edges.
 struct Operand {
     struct Edge {
-        int low, high;                // points
+        int low, high;                    // points
         std::array<int, 2> faces{-1, -1}; // of triangles: along it from low to high, and back
     };
     std::vector<GridPoint> points;
@@ -113,7 +113,8 @@ struct Operand {
 
     Operand(const GridSurface& surface, const std::vector<int>& chosen, int first_number) : whole(chosen) {
         std::vector<int> used;
-        for (const int t : chosen) used.insert(used.end(), surface.triangles[t].begin(), surface.triangles[t].end());
+        for (const int t : chosen)
+            used.insert(used.end(), surface.triangles[t].begin(), surface.triangles[t].end());
         std::sort(used.begin(), used.end());
         used.erase(std::unique(used.begin(), used.end()), used.end());
         for (const int p : used) points.push_back(surface.points[p]), number.push_back(first_number + p);
@@ -237,7 +238,8 @@ private:
 
     // How often the other surface goes around each point: counted along a ray for one of them, and on along
     // the edges. Whether all are outside (0) or inside (1).
-    bool wind(Operand& of, const GridSurface& other, const std::vector<Crossing>& crossings, int shift) const {
+    bool wind(Operand& of, const GridSurface& other, const std::vector<Crossing>& crossings,
+              int shift) const {
         std::vector<int> change(of.edges.size(), 0);
         for (const Crossing& c : crossings) change[c.edge] += c.sign;
         std::vector<std::vector<std::pair<int, int>>> ways(of.points.size()); // point, change
@@ -386,7 +388,8 @@ private:
         return true;
     }
 
-    // Along the axis to which the triangle is nearest to being perpendicular, so that it is seen from outside.
+    // Along the axis to which the triangle is nearest to being perpendicular, so that it is seen from
+    // outside.
     LoopCorner projected(const Corners& t, int vertex,
                          const std::vector<std::pair<int, unsigned>>& on_edges) const {
         const Wide3 normal = cross(t.b - t.a, t.c - t.a);
@@ -422,7 +425,8 @@ private:
                 number[v] = static_cast<int>(result.points.size());
                 result.points.push_back(points_[v]);
             }
-        for (const auto& [a, b, c] : kept.triangles) result.triangles.push_back({number[a], number[b], number[c]});
+        for (const auto& [a, b, c] : kept.triangles)
+            result.triangles.push_back({number[a], number[b], number[c]});
         result.parts = std::move(kept.parts);
         all_ = std::move(result);
     }

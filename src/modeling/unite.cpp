@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/disjoint_sets.hpp"
+#include "modeling/short_edges.hpp"
 #include "modeling/solid_union.hpp"
 #include "pantin/error.hpp"
 #include "pantin/model.hpp"
@@ -13,10 +14,11 @@
 namespace pantin {
 namespace {
 
-constexpr double used = 0.99;     // of the grid's reach
-constexpr double smallest = 4096; // steps of the grid: so large is a part at least
+constexpr double used = 0.99;          // of the grid's reach
+constexpr double smallest = 1e6;       // steps of the grid: half a part's width, at least
+constexpr double shortest_edge = 2e-4; // of the grid's reach: what is shorter is left over from cuts
+constexpr double shrink = 1e-4;        // of a part's size
 constexpr int most_tries = 8;
-constexpr double nudge = 64; // steps of the grid
 
 // From the model to whole coordinates and back.
 struct Grid3 {
@@ -46,13 +48,31 @@ struct Grid3 {
     }
 };
 
-GridSurface on_grid(const SolidMesh& mesh, int part, const Grid3& grid, int tried) {
-    GridSurface surface;
-    const std::int64_t by = static_cast<std::int64_t>(nudge) * tried * (part + 1);
+// Of a sequence that fills the range −0.5 to 0.5 evenly and never repeats.
+double spread(int number, double step) {
+    const double x = number * step;
+    return x - std::floor(x) - 0.5;
+}
+
+// A little smaller than it is, so that parts which only touch stay apart, and moved by still less, so that
+// what lies on one plane of symmetry does not coincide.
+SolidMesh set_apart(const InflatedPart& part, int number) {
+    SolidMesh mesh = part_surface(*part.inflation, part.height, part.frame);
+    Vec3 low = mesh.vertices.front(), high = low;
     for (const Vec3& v : mesh.vertices) {
-        const GridPoint p = grid.to_grid(v);
-        surface.points.push_back({p.x + by, p.y - by, p.z + 2 * by});
+        low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+        high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
     }
+    const Vec3 middle = 0.5 * (low + high);
+    const double by = 0.5 * shrink * length(part.frame.right) * part.inflation->half_width;
+    const Vec3 move = by * Vec3{spread(number, 0.8192), spread(number, 0.6710), spread(number, 0.5497)};
+    for (Vec3& v : mesh.vertices) v = middle + (1 - shrink) * (v - middle) + move;
+    return mesh;
+}
+
+GridSurface on_grid(const SolidMesh& mesh, int part, const Grid3& grid) {
+    GridSurface surface;
+    for (const Vec3& v : mesh.vertices) surface.points.push_back(grid.to_grid(v));
     surface.triangles = mesh.triangles;
     surface.parts.assign(mesh.triangles.size(), part);
     return surface;
@@ -67,8 +87,7 @@ void drop_hollows(GridSurface& surface) {
         const GridPoint& p = surface.points[v];
         return Vec3{static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
     };
-    for (const auto& [a, b, c] : surface.triangles)
-        six[sets.find(a)] += dot(at(a), cross(at(b), at(c)));
+    for (const auto& [a, b, c] : surface.triangles) six[sets.find(a)] += dot(at(a), cross(at(b), at(c)));
     GridSurface kept;
     kept.points = surface.points;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
@@ -88,6 +107,12 @@ bool is_closed(const GridSurface& surface) {
     return std::all_of(ways.begin(), ways.end(), [&](const auto& way) {
         return std::binary_search(ways.begin(), ways.end(), std::pair(way.second, way.first));
     });
+}
+
+void check_sizes(const std::vector<InflatedPart>& parts, const Grid3& grid) {
+    for (const InflatedPart& part : parts)
+        if (length(part.frame.right) * part.inflation->half_width * grid.scale < smallest)
+            throw Error(ErrorKind::input, "union: a part is too small beside the model");
 }
 
 SolidMesh in_model(const GridSurface& surface, const Grid3& grid) {
@@ -114,21 +139,21 @@ SolidMesh in_model(const GridSurface& surface, const Grid3& grid) {
 
 SolidMesh unite(const std::vector<InflatedPart>& parts) {
     if (parts.empty()) return {};
-    std::vector<SolidMesh> surfaces;
-    for (const InflatedPart& part : parts)
-        surfaces.push_back(part_surface(*part.inflation, part.height, part.frame));
-    const Grid3 grid(surfaces);
-    for (std::size_t p = 0; p < parts.size(); ++p)
-        if (length(parts[p].frame.right) * parts[p].inflation->half_width * grid.scale < smallest)
-            throw Error(ErrorKind::input, "union: a part is too small beside the model");
     for (int tried = 0; tried < most_tries; ++tried) {
+        std::vector<SolidMesh> surfaces;
+        for (int p = 0; p < std::ssize(parts); ++p)
+            surfaces.push_back(set_apart(parts[p], p + tried * static_cast<int>(parts.size())));
+        const Grid3 grid(surfaces);
+        check_sizes(parts, grid);
         GridSurface all;
         bool done = true;
-        for (std::size_t p = 0; done && p < parts.size(); ++p)
-            done = unite_with(all, on_grid(surfaces[p], static_cast<int>(p), grid, tried));
+        for (int p = 0; done && p < std::ssize(parts); ++p)
+            done = unite_with(all, on_grid(surfaces[p], p, grid));
         if (!done) continue;
         drop_hollows(all);
-        if (is_closed(all)) return in_model(all, grid);
+        if (!is_closed(all)) continue;
+        collapse_short_edges(all, shortest_edge * grid_reach);
+        return in_model(all, grid);
     }
     throw Error(ErrorKind::input, "union: the parts lie on each other in too many ways");
 }

@@ -69,7 +69,10 @@ RgbImage painted(const Strokes& strokes, const ModelView& view, const LabelMap& 
 
 Model build(const Strokes& strokes, const std::string& name, const ModelOptions& options) {
     try {
-        return Model(strokes, options);
+        Model model(strokes, options);
+        if (model.parts().empty())
+            throw Error(ErrorKind::input, "no part is left, there is nothing to model");
+        return model;
     } catch (const Error& error) {
         throw Error(error.kind(), name + ": " + error.what());
     }
