@@ -18,15 +18,11 @@ public:
     }
 
     void collapse(double shorter) {
-        std::vector<std::tuple<double, int, int>> edges;
-        for (const auto& t : surface_.triangles)
-            for (int k = 0; k < 3; ++k)
-                if (const int a = t[k], b = t[(k + 1) % 3]; a < b)
-                    if (const double far = distance(at(a), at(b)); far < shorter)
-                        edges.emplace_back(far, a, b);
-        std::sort(edges.begin(), edges.end());
-        for (const auto& [far, a, b] : edges)
-            if (!try_collapse(a, b)) try_collapse(b, a);
+        for (bool changed = true; changed;) { // one may free the next
+            changed = false;
+            for (const auto& [far, a, b] : edges(shorter))
+                changed = try_collapse(a, b) || try_collapse(b, a) || changed;
+        }
         GridSurface kept;
         kept.points = surface_.points;
         for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
@@ -38,6 +34,16 @@ public:
     }
 
 private:
+    std::vector<std::tuple<double, int, int>> edges(double shorter) const { // the shortest first
+        std::vector<std::tuple<double, int, int>> found;
+        for (const auto& t : surface_.triangles)
+            for (int k = 0; k < 3; ++k)
+                if (const int a = t[k], b = t[(k + 1) % 3]; a < b)
+                    if (const double far = distance(at(a), at(b)); far < shorter)
+                        found.emplace_back(far, a, b);
+        std::sort(found.begin(), found.end());
+        return found;
+    }
     Vec3 at(int v) const {
         const GridPoint& p = surface_.points[v];
         return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};

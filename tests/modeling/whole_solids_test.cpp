@@ -73,7 +73,7 @@ Line bent(Point2d from, Point2d to, double radius, double bow, int corners = 30)
     return line;
 }
 
-// --- drawings that went wrong on a lattice -----------------------------------------------------------------
+// --- gaps, slits and thin parts -----------------------------------------------------------------
 
 Drawing heart(double cleft) {
     Drawing d{"heart", {}};
@@ -207,7 +207,7 @@ Drawing bush(int depth) {
 
 } // namespace
 
-TEST_CASE("what became webs, shreds or nothing on a lattice is one solid as it was drawn") {
+TEST_CASE("gaps do not close, thin parts do not break: each drawing is one solid") {
     std::vector<Drawing> drawings = {heart(2), heart(0.2), touching(), star(5, 40), star(8, 15)};
     for (const double width : {8.0, 2.0, 0.5, 0.05}) drawings.push_back(slit(width));
     for (const double gap : {4.0, 1.0, 0.2}) drawings.push_back(hand(gap));
@@ -316,6 +316,6 @@ TEST_CASE("the unit of the strokes changes nothing but the size") {
         CAPTURE(unit);
         CHECK(fault_of(model, mesh, 0, 1) == "");
         if (triangles == 0) triangles = mesh.triangles.size();
-        CHECK(mesh.triangles.size() == Approx(triangles).epsilon(0.02));
+        CHECK(mesh.triangles.size() == Approx(triangles).epsilon(0.05));
     }
 }
