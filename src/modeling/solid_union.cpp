@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "geometry/wide_integer.hpp"
-#include "modeling/box_tree.hpp"
 #include "modeling/face_loops.hpp"
 
 namespace pantin {
@@ -97,6 +96,16 @@ GridBox box_of(const Corners& t) {
     return box;
 }
 
+GridBox box_of(const GridSurface& surface, std::size_t t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    return box_of(Corners{surface.points[a], surface.points[b], surface.points[c]});
+}
+GridBox all_of(const std::vector<GridBox>& boxes) {
+    GridBox all;
+    for (const GridBox& box : boxes) all.include(box);
+    return all;
+}
+
 // Triangles of a surface that may meet the other one, with their edges.
 struct Operand {
     struct Edge {
@@ -174,12 +183,23 @@ public:
     Uniter(GridSurface& all, const GridSurface& part) : all_(all), part_(part) {}
 
     bool unite() {
+        const std::size_t first = all_.points.size();
+        all_.points.insert(all_.points.end(), part_.points.begin(), part_.points.end());
+        if (try_unite(static_cast<int>(first))) return true;
+        all_.points.resize(first);
+        return false;
+    }
+
+private:
+    struct Result {
+        std::vector<std::array<int, 3>> triangles;
+        std::vector<int> parts;
+    };
+
+    bool try_unite(int first) {
         std::vector<int> every(part_.triangles.size());
         std::iota(every.begin(), every.end(), 0);
-        const int first = static_cast<int>(all_.points.size());
         Operand near(all_, near_triangles(), 0), added(part_, every, first);
-        points_ = all_.points;
-        points_.insert(points_.end(), part_.points.begin(), part_.points.end());
         find_crossings(near, added);
         if (!wind(near, part_, near_crossings_, -1) || !wind(added, all_, added_crossings_, 1)) return false;
         if (!find_cuts(near, added)) return false;
@@ -191,29 +211,20 @@ public:
         return true;
     }
 
-private:
-    struct Result {
-        std::vector<std::array<int, 3>> triangles;
-        std::vector<int> parts;
-    };
-
     std::vector<int> near_triangles() const {
-        GridBox box;
-        for (const GridPoint& p : part_.points) box.include(box_of(p));
+        const GridBox box = all_of(part_.boxes);
         std::vector<int> near;
-        for (int t = 0; t < std::ssize(all_.triangles); ++t) {
-            const auto& [a, b, c] = all_.triangles[t];
-            if (box.meets(box_of(Corners{all_.points[a], all_.points[b], all_.points[c]}))) near.push_back(t);
-        }
+        for (int t = 0; t < std::ssize(all_.triangles); ++t)
+            if (box.meets(all_.boxes[t])) near.push_back(t);
         return near;
     }
 
     void find_crossings(const Operand& near, const Operand& added) {
         std::vector<GridBox> boxes;
-        for (int t = 0; t < std::ssize(near.triangles); ++t) boxes.push_back(box_of(near.corners(t)));
-        const BoxTree tree(boxes);
+        for (const int t : near.whole) boxes.push_back(all_.boxes[t]);
+        const BoxTree tree(std::move(boxes));
         for (int b = 0; b < std::ssize(added.triangles); ++b)
-            tree.each(box_of(added.corners(b)), [&](int a) {
+            tree.each(part_.boxes[b], [&](int a) {
                 cross_edges(near, a, added, b, -1, near_crossings_);
                 cross_edges(added, b, near, a, 1, added_crossings_);
             });
@@ -230,8 +241,8 @@ private:
             if ((edge.faces[0] >= 0 ? edge.faces[0] : edge.faces[1]) != t) continue; // once for both
             const GridPoint p = of.points[edge.low], q = of.points[edge.high];
             if (const auto found = pierce(p, q, other.corners(at), shift)) {
-                crossings.push_back({e, at, found->sign, found->at, static_cast<int>(points_.size())});
-                points_.push_back(between(p, q, found->at));
+                crossings.push_back({e, at, found->sign, found->at, static_cast<int>(all_.points.size())});
+                all_.points.push_back(between(p, q, found->at));
             }
         }
     }
@@ -247,8 +258,7 @@ private:
             ways[of.edges[e].low].emplace_back(of.edges[e].high, change[e]);
             ways[of.edges[e].high].emplace_back(of.edges[e].low, -change[e]);
         }
-        GridBox box;
-        for (const GridPoint& p : other.points) box.include(box_of(p));
+        const GridBox box = all_of(other.boxes);
         of.winding.assign(of.points.size(), unknown);
         for (std::size_t start = 0; start < of.points.size(); ++start) {
             if (of.winding[start] != unknown) continue;
@@ -275,9 +285,10 @@ private:
             return both;
         }();
         int winding = 0;
-        for (const auto& [a, b, c] : other.triangles) {
+        for (std::size_t i = 0; i < other.triangles.size(); ++i) {
+            if (!way.meets(other.boxes[i])) continue;
+            const auto& [a, b, c] = other.triangles[i];
             const Corners t{other.points[a], other.points[b], other.points[c]};
-            if (!way.meets(box_of(t))) continue;
             if (const auto found = pierce(p, far, t, shift)) winding -= found->sign;
         }
         return winding;
@@ -398,7 +409,7 @@ private:
         int axis = 0;
         for (int k = 1; k < 3; ++k)
             if (std::abs(n[k]) > std::abs(n[axis])) axis = k;
-        const GridPoint& p = points_[vertex];
+        const GridPoint& p = all_.points[vertex];
         const std::int64_t places[3] = {p.x, p.y, p.z};
         LoopCorner corner{places[(axis + 1) % 3], places[(axis + 2) % 3], vertex, 0};
         if (n[axis] < 0) std::swap(corner.x, corner.y);
@@ -407,42 +418,42 @@ private:
         return corner;
     }
 
-    // Numbers the vertices that are left anew.
-    void write(const Operand& near, Result& kept) {
-        std::vector<char> gone(all_.triangles.size(), 0);
-        for (const int t : near.whole) gone[t] = 1;
-        GridSurface result;
-        for (std::size_t t = 0; t < all_.triangles.size(); ++t)
-            if (!gone[t]) {
-                kept.triangles.push_back(all_.triangles[t]);
-                kept.parts.push_back(all_.parts[t]);
-            }
-        std::vector<int> number(points_.size(), -1);
-        for (const auto& triangle : kept.triangles)
-            for (const int v : triangle) number[v] = 0;
-        for (std::size_t v = 0; v < points_.size(); ++v)
-            if (number[v] == 0) {
-                number[v] = static_cast<int>(result.points.size());
-                result.points.push_back(points_[v]);
-            }
-        for (const auto& [a, b, c] : kept.triangles)
-            result.triangles.push_back({number[a], number[b], number[c]});
-        result.parts = std::move(kept.parts);
-        all_ = std::move(result);
+    // What is kept takes the places of what was near; later ones fill those that are left.
+    void write(const Operand& near, const Result& kept) {
+        std::size_t next = 0;
+        const auto put = [&](std::size_t t) {
+            all_.triangles[t] = kept.triangles[next];
+            all_.parts[t] = kept.parts[next];
+            all_.boxes[t] = box_of(all_, t);
+            ++next;
+        };
+        std::size_t free = 0;
+        while (free < near.whole.size() && next < kept.triangles.size()) put(near.whole[free++]);
+        while (next < kept.triangles.size()) {
+            all_.triangles.emplace_back(), all_.parts.emplace_back(), all_.boxes.emplace_back();
+            put(all_.triangles.size() - 1);
+        }
+        for (std::size_t i = near.whole.size(); i > free; --i) { // the last first
+            const int t = near.whole[i - 1];
+            all_.triangles[t] = all_.triangles.back(), all_.triangles.pop_back();
+            all_.parts[t] = all_.parts.back(), all_.parts.pop_back();
+            all_.boxes[t] = all_.boxes.back(), all_.boxes.pop_back();
+        }
     }
 
     GridSurface& all_;
-    const GridSurface& part_;
-    std::vector<GridPoint> points_; // of both, then the crossings
+    const GridSurface& part_; // whose points come after those of all_, and then the crossings
     std::vector<Crossing> near_crossings_, added_crossings_;
     std::vector<Cut> near_cuts_, added_cuts_;
 };
 
 } // namespace
 
-bool unite_with(GridSurface& all, const GridSurface& part) {
+bool unite_with(GridSurface& all, GridSurface part) {
+    part.boxes.clear();
+    for (std::size_t t = 0; t < part.triangles.size(); ++t) part.boxes.push_back(box_of(part, t));
     if (!all.triangles.empty()) return Uniter(all, part).unite();
-    all = part;
+    all = std::move(part);
     return true;
 }
 

@@ -13,6 +13,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "modeling/box_tree.hpp"
+
 namespace pantin {
 
 struct GridPoint {
@@ -25,11 +27,13 @@ constexpr double grid_reach = 137438953472; // 2^37: every coordinate is at most
 struct GridSurface {
     std::vector<GridPoint> points;
     std::vector<std::array<int, 3>> triangles;
-    std::vector<int> parts; // per triangle
+    std::vector<int> parts;     // per triangle
+    std::vector<GridBox> boxes; // per triangle; made and kept by unite_with()
 };
 
 // Adds what `part` holds to what `all` holds; both may be in several pieces. Whether that was possible: not
 // where the rounding of an earlier union made `all` cut itself. Then `all` is as it was.
-bool unite_with(GridSurface& all, const GridSurface& part);
+// Points that no triangle has any more stay.
+bool unite_with(GridSurface& all, GridSurface part);
 
 } // namespace pantin

@@ -154,9 +154,11 @@ TEST_CASE("A changed option is seen in its stage alone, with file, place and bot
             CHECK(found.count(std::string(stage) + "/" + drawing) == 1);
     for (const char* stage : {"detect", "identify", "map", "animate"}) // its wings are one stiff bone each
         CHECK(found.count(std::string(stage) + "/flyer") == 1);
+    CHECK(found.count("inflate/humanoid") == 1);
     CHECK(found.count("unite/humanoid") == 1);
-    const std::set<std::string> allowed = {"detect", "segment", "h2",      "skeletonize", "identify", "map",
-                                           "mesh",   "bones",   "weights", "animate",     "unite"};
+    const std::set<std::string> allowed = {"detect",   "segment", "h2",      "skeletonize",
+                                           "identify", "map",     "mesh",    "bones",
+                                           "weights",  "animate", "inflate", "unite"};
     for (const std::string& row : found) {
         CAPTURE(row);
         CHECK(allowed.count(row.substr(0, row.find('/'))) == 1);
