@@ -76,7 +76,7 @@ private:
     // One point of two: `from` goes.
     bool try_collapse(int from, int to) {
         const std::vector<int> a = neighbours(from), b = neighbours(to);
-        if (!std::binary_search(a.begin(), a.end(), to) || a.size() < 4 || b.size() < 4) return false;
+        if (!std::binary_search(a.begin(), a.end(), to) || a.size() + b.size() < 7) return false;
         std::vector<int> both;
         std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
         if (both.size() != 2) return false;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double used = 0.99;          // of the grid's reach
 constexpr double smallest = 1e6;       // steps of the grid: half a part's width, at least
-constexpr double shortest_edge = 2e-4; // of the grid's reach: what is shorter is left over from cuts
+constexpr double shortest_edge = 2e-5; // of the grid's reach: what is shorter is left over from cuts
 constexpr double shrink = 1e-4;        // of a part's size
 constexpr int most_tries = 8;
 
