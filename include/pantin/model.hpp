@@ -41,11 +41,8 @@ Inflation inflate(const std::vector<Point2d>& stroke, const InflationOptions& op
 struct SolidMesh {
     std::vector<Vec3> vertices;
     std::vector<std::array<int, 3>> triangles; // counter-clockwise from outside
-    std::vector<int> parts;                    // of unite(): the part that each vertex lies on
-    // Of unite(): parts that are thinner than the grid can hold, in places, in ascending order, and how thick
-    // they were made there.
-    std::vector<int> thin_parts{};
-    double least_thickness = 0;
+    // Of unite(): the part that each triangle is of, and one of those that meet at each vertex.
+    std::vector<int> parts{}, triangle_parts{};
 };
 // Of the canvas into the model: a point (x, y) at depth d lies at origin + x · right + y · down + d · out.
 // Right, down and out are orthogonal and of one length; mirrored copies have the other handedness.
@@ -58,30 +55,18 @@ Vec3 to_model(const Frame& frame, Point2d canvas, double depth = 0);
 // thickness. No error. RealSkel 4.1.
 SolidMesh part_surface(const Inflation& inflation, double height, const Frame& frame);
 
-// A bone of a part's skeleton with the radii of the discs that fit into the outline at its ends; the model's
-// frame and canvas units.
-struct AxisBone {
-    Vec3 from, to;
-    double from_radius = 0, to_radius = 0;
-    bool joins = false; // it leads from the part to the one that it hangs on
-};
 struct InflatedPart {
     const Inflation* inflation = nullptr;
     double height = 1;
     Frame frame;
-    // Along it unite() keeps what is thinner than its grid; empty: that may get lost.
-    std::vector<AxisBone> axis{};
 };
-struct UnionOptions {
-    double cell = 0; // of the grid, canvas units; 0: from the model's size and its thinnest part
-    // Of the model's longest side, when the cell is not given; thin parts ask for up to twice as many.
-    double cells_across = 44;
-};
-// The outer surface of all parts as one mesh: closed, oriented, without self-intersection. The zero set of
-// the parts' distances on a body-centred cubic grid, by marching tetrahedra (Doi & Koide 1991). What is
-// thinner than the grid can hold is made as thick as it can (SolidMesh::thin_parts), so that no part is lost.
-// Canvas units. Error(input) when parts are too far apart for one grid. RealSkel 4.1 (errata 29).
-SolidMesh unite(const std::vector<InflatedPart>& parts, const UnionOptions& options = {});
+// The outer surface of all parts as one mesh: closed and oriented, made of the parts' own surfaces, cut where
+// they run through each other by exact arithmetic on coordinates of 38 bits. So it has no more handles than
+// what was drawn, and parts are as thin as they were drawn. Parts join where they overlap; what only touches
+// stays apart, or joins if the later one would overlap when moved by less than any number to the right, up
+// and to the front. Canvas units. Error(input) when a part is smaller than a millionth of the model or so.
+// RealSkel 4.1 (errata 29).
+SolidMesh unite(const std::vector<InflatedPart>& parts);
 
 // --- the model ---------------------------------------------------------------------------------------------
 
@@ -107,7 +92,6 @@ struct ModelOptions {
     SubSkeletonOptions skeleton;
     RefinementOptions refinement; // of every part, until refine() says otherwise; shares of its diagonal
     InflationOptions inflation;
-    UnionOptions unite;
 };
 
 // The interactive part of the article (RealSkel 3, 4.1): every call brings the skeleton up to date. What
@@ -134,8 +118,7 @@ public:
     const std::vector<ModelPart>& parts() const { return parts_; }
     const Connection& connection() const { return connection_; } // as connected, before refinement
     const ModelSkeleton& skeleton() const { return skeleton_; }
-    // Of strokes that cross themselves, and of parts that the last union made thicker.
-    std::vector<std::string> repairs() const;
+    const std::vector<std::string>& repairs() const { return repairs_; } // of strokes that cross themselves
 
     // Of one part (an index of parts()), of each, and of all united: canvas units, the model's frame. Errors
     // of inflate() and unite(). RealSkel 4.1.
@@ -151,8 +134,6 @@ private:
     void simplify(Drawn& drawn, int branch, double threshold) const;
     void update();
     const Inflation& inflation_of(int part);
-    std::vector<AxisBone> axis_of(int part) const;
-    void remark_thin(const SolidMesh& mesh);
 
     Point2d origin_;
     ModelOptions options_;
@@ -162,7 +143,7 @@ private:
     std::vector<ModelPart> parts_;
     Connection connection_;
     ModelSkeleton skeleton_;
-    std::vector<std::string> repairs_, thin_; // of strokes; of the last union
+    std::vector<std::string> repairs_;
 };
 
 // --- skin weights ------------------------------------------------------------------------------------------

@@ -37,9 +37,8 @@ struct ModelPicture {
     RgbImage drawing; // flat colours on white, twice the size of the labels
     LabelMap labels;
 };
-// The model as a drawing, near parts in front; parts that the united `solid` has thicker than they are drawn
-// are seen so. Error(input) when a part has no area. Own.
-ModelPicture draw(Model& model, const ModelView& view, const SolidMesh& solid = {});
+// The model as a drawing, near parts in front. Error(input) when a part has no area. Own.
+ModelPicture draw(Model& model, const ModelView& view);
 // The part (an index of parts()) that is seen at each pixel of the view, −1 where there is none. Error(input)
 // when a part has no area. Own.
 Grid<int> seen_parts(Model& model, const ModelView& view);
@@ -51,12 +50,13 @@ SkeletonGraph project_skeleton(const Model& model, const ModelView& view);
 Label label_of(const ModelPart& part);
 // The part's own colour, or else `solid` of its label's row (label.hpp). No error. Own.
 Rgb8 colour_of(const ModelPart& part);
-// The colour of each vertex of a united mesh: of the part that it lies on. No error. Own.
+// The colour of each triangle of a united mesh: of its part. No error. Own.
 std::vector<Rgb8> part_colours(const Model& model, const SolidMesh& mesh);
 
 // The model with its own bones: one for each joint but the roots, from its parent to it, named after its
-// part; skin weights by bone_heat(). Mesh and bones in pixels of the view, depths in world units. `colours`:
-// per vertex; none: the picture is projected on. No error. RealSkel 4.1, weights (errata 30).
+// part; skin weights by bone_heat(). Mesh and bones in pixels of the view, depths in world units. A vertex
+// where parts meet is there once for each of them. `colours`: per triangle; none: the picture is projected
+// on. No error. RealSkel 4.1, weights (errata 30).
 Rig model_rig(const Model& model, const SolidMesh& mesh, const ModelView& view,
               const std::vector<Rgb8>& colours = {});
 // The rig of the picture in space: the bones of `flat` (of the view's picture), each where the model's

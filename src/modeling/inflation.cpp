@@ -3,6 +3,7 @@
 // equation (Dvorožňák et al., Monster Mash, 2020).
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include <Eigen/SparseCholesky>
 
@@ -40,6 +41,59 @@ double perimeter_of(const std::vector<Point2d>& outline) {
     for (std::size_t i = 0; i < outline.size(); ++i)
         sum += distance(outline[i], outline[(i + 1) % outline.size()]);
     return sum;
+}
+
+// An edge inside that joins two points of the border would have front and back in one place. The refinement
+// leaves those that are too short for it, and a triangle alone.
+void split_chords(Inflation& mesh) {
+    using Side = std::tuple<int, int, int>; // low, high, triangle
+    std::vector<Side> sides;
+    for (int t = 0; t < std::ssize(mesh.triangles); ++t)
+        for (int k = 0; k < 3; ++k) {
+            const int a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+            if (mesh.border[a] && mesh.border[b]) sides.emplace_back(std::min(a, b), std::max(a, b), t);
+        }
+    std::sort(sides.begin(), sides.end());
+    std::vector<std::vector<int>> middles(mesh.triangles.size()); // of the chords at each triangle
+    std::vector<std::pair<int, int>> ends;                        // of the chord that each new point halves
+    const int first = static_cast<int>(mesh.points.size());
+    for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+        const auto& [low, high, t] = sides[i];
+        if (low != std::get<0>(sides[i + 1]) || high != std::get<1>(sides[i + 1])) continue;
+        for (const int side : {t, std::get<2>(sides[i + 1])})
+            middles[side].push_back(static_cast<int>(mesh.points.size()));
+        mesh.points.push_back(0.5 * (mesh.points[low] + mesh.points[high]));
+        mesh.border.push_back(0);
+        ends.emplace_back(low, high);
+    }
+    if (mesh.triangles.size() == 1) middles[0].push_back(-1);
+    for (int t = 0; t < std::ssize(middles); ++t) {
+        const std::array<int, 3> corners = mesh.triangles[t];
+        if (middles[t].empty()) continue;
+        std::vector<int> around;
+        for (int k = 0; k < 3; ++k) {
+            const int a = corners[k], b = corners[(k + 1) % 3];
+            around.push_back(a);
+            for (const int m : middles[t])
+                if (m >= 0 && ends[m - first] == std::pair(std::min(a, b), std::max(a, b)))
+                    around.push_back(m);
+        }
+        // A fan about a middle, or about a point inside where there is none or several.
+        int centre = middles[t].front();
+        if (middles[t].size() > 1 || centre < 0) {
+            centre = static_cast<int>(mesh.points.size());
+            mesh.points.push_back(
+                (1.0 / 3) * (mesh.points[corners[0]] + mesh.points[corners[1]] + mesh.points[corners[2]]));
+            mesh.border.push_back(0);
+        }
+        std::vector<std::array<int, 3>> fan;
+        for (std::size_t i = 0; i < around.size(); ++i) {
+            const int a = around[i], b = around[(i + 1) % around.size()];
+            if (a != centre && b != centre) fan.push_back({a, b, centre});
+        }
+        mesh.triangles[t] = fan.front();
+        mesh.triangles.insert(mesh.triangles.end(), fan.begin() + 1, fan.end());
+    }
 }
 
 // Linear elements: stiffness by cotangents, a third of the load of each triangle at its corners; nothing at
@@ -101,6 +155,7 @@ Inflation inflate(const std::vector<Point2d>& stroke, const InflationOptions& op
         for (int k = 0; k < 3; ++k)
             if (triangulation.neighbours[t][k] < 0)
                 for (const int other : {1, 2}) result.border[triangulation.triangles[t][(k + other) % 3]] = 1;
+    split_chords(result);
     result.squared = solve_poisson(result);
     return result;
 }

@@ -2,12 +2,10 @@
 // The model as it is edited: which strokes there are, where they lie, and what follows from them.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "geometry/extent.hpp"
 #include "modeling/frames.hpp"
 #include "modeling/rooted.hpp"
-#include "modeling/spikes.hpp"
 #include "pantin/error.hpp"
 #include "pantin/model.hpp"
 
@@ -31,12 +29,6 @@ void check_range(const std::string& part, const Frame& frame) {
 template <class T> T& own(std::shared_ptr<T>& shared) {
     if (shared.use_count() > 1) shared = std::make_shared<T>(*shared);
     return *shared;
-}
-
-std::string three_digits(double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
 }
 
 RefinementOptions with(RefinementOptions options, const RefineSkeleton& asked) {
@@ -66,8 +58,7 @@ struct Model::Drawn {
     RefineSkeleton asked;        // for this part; otherwise the model's thresholds hold
     double diagonal = 0;
     SubSkeleton flat;
-    std::shared_ptr<const Inflation> inflation; // made when it is needed, …
-    std::vector<Spike> spikes;                  // … and with it these
+    std::shared_ptr<const Inflation> inflation; // made when it is needed
 };
 
 Model::Model(Point2d origin, const ModelOptions& options)
@@ -234,7 +225,6 @@ const Inflation& Model::inflation_of(int part) {
     Drawn& d = *drawn_[drawn_of_[part]];
     if (!d.inflation) {
         d.inflation = std::make_shared<Inflation>(inflate(d.stroke.stroke, options_.inflation));
-        d.spikes = spikes_of(d.flat.outline);
     }
     return *d.inflation;
 }
@@ -243,54 +233,13 @@ SolidMesh Model::surface(int part) {
     return part_surface(inflation_of(part), parts_[part].stroke.height, parts_[part].frame);
 }
 
-// Of the part's own skeleton, before refinement, which may move joints out of a thin part; of its spikes; and
-// to what it hangs on.
-std::vector<AxisBone> Model::axis_of(int part) const {
-    const ModelPart& p = parts_[part];
-    const double size = length(p.frame.right);
-    const auto joint = [&](int j) { return to_model(p.frame, p.flat.joints[j].place); };
-    std::vector<AxisBone> axis;
-    for (const auto& [from, to] : p.flat.bones)
-        axis.push_back(
-            {joint(from), joint(to), size * p.flat.joints[from].radius, size * p.flat.joints[to].radius});
-    if (p.flat.bones.empty() && !p.flat.joints.empty())
-        axis.push_back({joint(0), joint(0), size * p.flat.joints[0].radius, size * p.flat.joints[0].radius});
-    for (const Spike& spike : drawn_[drawn_of_[part]]->spikes)
-        axis.push_back({to_model(p.frame, spike.root), to_model(p.frame, spike.tip), size * spike.radius, 0});
-    if (const Attachment& at = connection_.attachments[part]; at.parent >= 0) {
-        const auto& joints = connection_.tree.joints;
-        const double radius = joints[at.joint].radius / (0.5 * (1 + p.stroke.height));
-        axis.push_back({joints[at.joint].place, joints[at.parent_joint].place, radius, radius, true});
-    }
-    return axis;
-}
-
 std::vector<InflatedPart> Model::inflated() {
     std::vector<InflatedPart> result;
     for (int p = 0; p < std::ssize(parts_); ++p)
-        result.push_back({&inflation_of(p), parts_[p].stroke.height, parts_[p].frame, axis_of(p)});
+        result.push_back({&inflation_of(p), parts_[p].stroke.height, parts_[p].frame});
     return result;
 }
 
-void Model::remark_thin(const SolidMesh& mesh) {
-    thin_.clear();
-    for (const int part : mesh.thin_parts)
-        if (!parts_[part].mirrored)
-            thin_.push_back("part '" + parts_[part].stroke.name +
-                            "': is thinner than the grid of the solid; there it is " +
-                            three_digits(mesh.least_thickness) + " thick");
-}
-
-std::vector<std::string> Model::repairs() const {
-    std::vector<std::string> all = repairs_;
-    all.insert(all.end(), thin_.begin(), thin_.end());
-    return all;
-}
-
-SolidMesh Model::united() {
-    SolidMesh mesh = unite(inflated(), options_.unite);
-    remark_thin(mesh);
-    return mesh;
-}
+SolidMesh Model::united() { return unite(inflated()); }
 
 } // namespace pantin

@@ -50,8 +50,21 @@ void rasterise(DepthPicture& picture, const std::array<Vec3, 3>& corners, int pa
         }
 }
 
+// The pixels along an edge: what is thinner than one may have no pixel's centre in it.
+void trace(DepthPicture& picture, Vec3 from, Vec3 to, int part) {
+    const int steps = static_cast<int>(std::ceil(2 * length(Point2d{to.x - from.x, to.y - from.y})));
+    for (int i = 0; i <= steps; ++i) {
+        const Vec3 p = from + (steps > 0 ? static_cast<double>(i) / steps : 0) * (to - from);
+        const int x = static_cast<int>(std::floor(p.x + 0.5)), y = static_cast<int>(std::floor(p.y + 0.5));
+        if (!picture.part.contains(x, y) || p.z <= picture.depth(x, y)) continue;
+        picture.depth(x, y) = p.z;
+        picture.part(x, y) = part;
+    }
+}
+
 // `finer` pixels to one of the view's, which the same centres share.
-DepthPicture picture_of(Model& model, const ModelView& view, const SolidMesh& solid, int finer) {
+DepthPicture picture_of(Model& model, const ModelView& view, int finer) {
+    const std::vector<InflatedPart> inflated = model.inflated();
     DepthPicture picture{
         Grid<int>(view.width * finer, view.height * finer, -1),
         Grid<double>(view.width * finer, view.height * finer, -std::numeric_limits<double>::infinity())};
@@ -64,13 +77,14 @@ DepthPicture picture_of(Model& model, const ModelView& view, const SolidMesh& so
         for (const auto& [a, b, c] : mesh.triangles)
             rasterise(picture, {place(mesh.vertices[a]), place(mesh.vertices[b]), place(mesh.vertices[c])},
                       part);
+        if (inflated[part].inflation->half_width * length(inflated[part].frame.right) * view.scale * finer >=
+            1)
+            continue;
+        for (const auto& [a, b, c] : mesh.triangles) {
+            trace(picture, place(mesh.vertices[a]), place(mesh.vertices[b]), part);
+            trace(picture, place(mesh.vertices[b]), place(mesh.vertices[c]), part);
+        }
     }
-    // What the union made thicker is seen as it is there.
-    for (const auto& [a, b, c] : solid.triangles)
-        if (const int part = solid.parts[a];
-            std::binary_search(solid.thin_parts.begin(), solid.thin_parts.end(), part))
-            rasterise(picture, {place(solid.vertices[a]), place(solid.vertices[b]), place(solid.vertices[c])},
-                      part);
     return picture;
 }
 
@@ -171,9 +185,8 @@ ModelView view_of(const Model& model, const SolidMesh& mesh, int size) {
     return view;
 }
 
-ModelPicture draw(Model& model, const ModelView& view, const SolidMesh& solid) {
-    const DepthPicture coarse = picture_of(model, view, solid, 1),
-                       fine = picture_of(model, view, solid, drawing_scale);
+ModelPicture draw(Model& model, const ModelView& view) {
+    const DepthPicture coarse = picture_of(model, view, 1), fine = picture_of(model, view, drawing_scale);
     ModelPicture picture{RgbImage(fine.part.width(), fine.part.height(), paper),
                          LabelMap(view.width, view.height)};
     const std::vector<ModelPart>& parts = model.parts();
@@ -186,7 +199,7 @@ ModelPicture draw(Model& model, const ModelView& view, const SolidMesh& solid) {
     return picture;
 }
 
-Grid<int> seen_parts(Model& model, const ModelView& view) { return picture_of(model, view, {}, 1).part; }
+Grid<int> seen_parts(Model& model, const ModelView& view) { return picture_of(model, view, 1).part; }
 
 SkeletonGraph project_skeleton(const Model& model, const ModelView& view) {
     const ModelSkeleton& skeleton = model.skeleton();

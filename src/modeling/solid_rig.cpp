@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Rigs in space (include/pantin/model_view.hpp).
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "pantin/model_view.hpp"
 
@@ -39,26 +41,47 @@ struct Straight {
     double depth(Vec3 p) const { return view.scale * p.z / view.height; }
 };
 
-// Mesh, texture coordinates and weights of a rig whose bones are there.
+// Mesh, texture coordinates and weights of a rig whose bones are there. A vertex at which parts meet becomes
+// one of each part, so that colours and shading end there. Colours: per triangle.
 void add_surface(Rig& rig, const SolidMesh& mesh, const ModelView& view,
                  const std::vector<BoneSegment>& segments, const std::vector<Rgb8>& colours) {
+    using Corner = std::pair<int, int>; // vertex, part
+    const auto part_at = [&](std::size_t t) {
+        return mesh.triangle_parts.empty() ? 0 : mesh.triangle_parts[t];
+    };
+    std::vector<Corner> corners;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (const int v : mesh.triangles[t]) corners.emplace_back(v, part_at(t));
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+
     const Straight straight{view};
+    const std::vector<VertexWeights> weights = bone_heat(mesh, segments);
     rig.width = view.width;
     rig.height = view.height;
     rig.solid = true;
     rig.mesh = {};
-    rig.texture.clear();
-    rig.depth.clear();
-    for (const Vec3& v : mesh.vertices) {
+    rig.texture.clear(), rig.depth.clear(), rig.weights.clear();
+    for (const auto& [vertex, part] : corners) {
+        const Vec3& v = mesh.vertices[vertex];
         rig.mesh.vertices.push_back(straight.pixel(v));
         rig.depth.push_back(straight.depth(v));
         const Point2d seen = project(view, v);
         rig.texture.push_back({std::clamp((seen.x + 0.5) / view.width, 0.0, 1.0),
                                std::clamp((seen.y + 0.5) / view.height, 0.0, 1.0)});
+        rig.weights.push_back(weights[vertex]);
     }
-    rig.colours = colours;
-    for (const auto& [a, b, c] : mesh.triangles) rig.mesh.faces.push_back({a, c, b});
-    rig.weights = bone_heat(mesh, segments);
+    rig.colours.resize(colours.empty() ? 0 : corners.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        std::array<int, 3> face{};
+        for (int k = 0; k < 3; ++k) {
+            const auto at =
+                std::lower_bound(corners.begin(), corners.end(), Corner{mesh.triangles[t][k], part_at(t)});
+            face[k] = static_cast<int>(at - corners.begin());
+            if (!colours.empty()) rig.colours[face[k]] = colours[t];
+        }
+        rig.mesh.faces.push_back({face[0], face[2], face[1]});
+    }
 }
 
 void place(Bone& bone, Vec3 head, Vec3 tail, const ModelView& view) {
@@ -71,7 +94,7 @@ void place(Bone& bone, Vec3 head, Vec3 tail, const ModelView& view) {
 
 std::vector<Rgb8> part_colours(const Model& model, const SolidMesh& mesh) {
     std::vector<Rgb8> colours;
-    for (const int part : mesh.parts) colours.push_back(colour_of(model.parts()[part]));
+    for (const int part : mesh.triangle_parts) colours.push_back(colour_of(model.parts()[part]));
     return colours;
 }
 

@@ -1,147 +1,161 @@
 // SPDX-License-Identifier: MIT
-// Inflated parts in, one closed surface out: the zero set of the smallest of their distances (RealSkel 4.1;
+// Inflated parts in, one closed surface out: their own surfaces, united exactly (RealSkel 4.1;
 // docs/errata.md, 29).
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
-#include "modeling/part_field.hpp"
-#include "modeling/tetrahedra.hpp"
-#include "modeling/thin_parts.hpp"
+#include "core/disjoint_sets.hpp"
+#include "modeling/short_edges.hpp"
+#include "modeling/solid_union.hpp"
 #include "pantin/error.hpp"
+#include "pantin/model.hpp"
 
 namespace pantin {
 namespace {
 
-constexpr double most_refined = 2;         // thin parts make the cell smaller, at most so many times
-constexpr double cells_across_half = 1.25; // of a thin part's half width or half thickness
-constexpr double table_steps = 2;          // of the fields' tables, to a cell
-constexpr double most_points = 3e7;        // of the lattice
-// Where parts would be lost the cell becomes smaller still, as far as that costs no more than this:
-constexpr double thin_triangles = 60'000, thin_points = 4e6;
-constexpr double triangles_of_area = 8; // about so many of a square of a cell's side
+constexpr double used = 0.99;          // of the grid's reach
+constexpr double smallest = 1e6;       // steps of the grid: half a part's width, at least
+constexpr double shortest_edge = 2e-5; // of the grid's reach: what is shorter is left over from cuts
+constexpr double shrink = 1e-4;        // of a part's size
+constexpr int most_tries = 8;
 
-Vec3 size_of(const std::vector<InflatedPart>& parts) {
-    const Vec3 start = to_model(parts.front().frame, parts.front().inflation->points.front());
-    Box3 box{start, start};
-    for (const InflatedPart& part : parts)
-        for (std::size_t p = 0; p < part.inflation->points.size(); ++p)
-            for (const double side : {-1.0, 1.0})
-                box.include(to_model(part.frame, part.inflation->points[p],
-                                     side * part.height * std::sqrt(part.inflation->squared[p])));
-    return box.high - box.low;
-}
+// From the model to whole coordinates and back.
+struct Grid3 {
+    Vec3 middle;
+    double scale = 1; // steps in a unit
 
-double cell_for(const std::vector<InflatedPart>& parts, Vec3 size, const UnionOptions& options) {
-    if (options.cell > 0) return options.cell;
-    double thinnest = std::numeric_limits<double>::infinity();
-    for (const InflatedPart& part : parts)
-        thinnest = std::min(thinnest, length(part.frame.right) * part.inflation->half_width *
-                                          std::min(1.0, part.height));
-    const double coarse = std::max({size.x, size.y, size.z}) / options.cells_across;
-    return std::clamp(thinnest / cells_across_half, coarse / most_refined, coarse);
-}
-
-[[noreturn]] void fail() {
-    throw Error(ErrorKind::input, "union: the parts are too thin or too far apart for one grid");
-}
-
-void check_size(Vec3 size, double cell) {
-    if (!(2 * (size.x / cell + 5) * (size.y / cell + 5) * (size.z / cell + 5) <= most_points)) fail();
-}
-
-// Whether all parts together would vanish between the points of the grid.
-bool all_smaller_than(double cell, const std::vector<InflatedPart>& parts) {
-    return std::all_of(parts.begin(), parts.end(), [&](const InflatedPart& part) {
-        const Vec3 size = size_of({part});
-        return std::max({size.x, size.y, size.z}) < cell;
-    });
-}
-
-// A smaller cell, at which those parts are lost no more, or less thick than they would be.
-double finer_cell(const std::vector<InflatedPart>& parts, const std::vector<char>& is_thin, Vec3 size,
-                  double cell) {
-    double area = 0, thinnest = cell;
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-        const double unit = length(parts[p].frame.right);
-        const Inflation& flat = *parts[p].inflation;
-        for (const auto& [a, b, c] : flat.triangles) // front and back
-            area += unit * unit * cross(flat.points[b] - flat.points[a], flat.points[c] - flat.points[a]);
-        if (is_thin[p])
-            thinnest = std::min(thinnest, unit * flat.half_width * std::min(1.0, parts[p].height));
+    explicit Grid3(const std::vector<SolidMesh>& surfaces) {
+        Vec3 low = surfaces.front().vertices.front(), high = low;
+        for (const SolidMesh& surface : surfaces)
+            for (const Vec3& v : surface.vertices) {
+                low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+                high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+            }
+        middle = 0.5 * (low + high);
+        const Vec3 half = 0.5 * (high - low);
+        // A power of two, so that places on both sides of a plane of symmetry stay so.
+        scale = std::exp2(std::floor(std::log2(used * grid_reach / std::max({half.x, half.y, half.z}))));
     }
-    const double by_triangles = std::sqrt(triangles_of_area * area / thin_triangles);
-    double finer = std::clamp(by_triangles, thinnest / cells_across_half, cell);
-    while (finer < cell &&
-           2 * (size.x / finer + 5) * (size.y / finer + 5) * (size.z / finer + 5) > thin_points)
-        finer *= 1.05;
-    return std::min(finer, cell);
-}
-
-// The parts as the lattice samples them: what each is, and bars where it is thin.
-struct Fields {
-    std::vector<PartField> parts;
-    std::vector<ThinBar> bars;
-    std::vector<char> is_thin; // per part
-
-    Fields(const std::vector<InflatedPart>& inflated, double cell) : is_thin(inflated.size(), 0) {
-        for (std::size_t p = 0; p < inflated.size(); ++p) {
-            const double least = least_half_thickness(inflated[p], cell);
-            is_thin[p] = least > 0;
-            parts.emplace_back(inflated[p], cell / table_steps, least);
-        }
-        bars = thin_bars(inflated, parts, cell);
-        for (const ThinBar& bar : bars) is_thin[static_cast<std::size_t>(bar.part())] = 1;
+    GridPoint to_grid(Vec3 v) const {
+        const auto whole = [&](double x) { return static_cast<std::int64_t>(std::floor(x * scale + 0.5)); };
+        const Vec3 p = v - middle;
+        return {whole(p.x), whole(p.y), whole(p.z)};
     }
-
-    bool any_thin() const { return std::count(is_thin.begin(), is_thin.end(), 1) > 0; }
-    Box3 box() const {
-        Box3 box = parts.front().box();
-        each([&](const auto& field, int) { box.include(field.box().low), box.include(field.box().high); });
-        return box;
-    }
-    // How far, and which part.
-    std::pair<double, int> nearest(Vec3 p) const {
-        std::pair<double, int> best{std::numeric_limits<double>::infinity(), 0};
-        each([&](const auto& field, int part) {
-            if (field.box().holds(p)) best = std::min(best, {field(p), part});
-        });
-        return best;
-    }
-    template <class Visit> void each(const Visit& visit) const {
-        for (std::size_t p = 0; p < parts.size(); ++p) visit(parts[p], static_cast<int>(p));
-        for (const ThinBar& bar : bars) visit(bar, bar.part());
+    Vec3 to_model(GridPoint p) const {
+        return middle + (1 / scale) * Vec3{static_cast<double>(p.x), static_cast<double>(p.y),
+                                           static_cast<double>(p.z)};
     }
 };
 
+// Of a sequence that fills the range −0.5 to 0.5 evenly and never repeats.
+double spread(int number, double step) {
+    const double x = number * step;
+    return x - std::floor(x) - 0.5;
+}
+
+// A little smaller than it is, so that parts which only touch stay apart, and moved by still less, so that
+// what lies on one plane of symmetry does not coincide.
+SolidMesh set_apart(const InflatedPart& part, int number) {
+    SolidMesh mesh = part_surface(*part.inflation, part.height, part.frame);
+    Vec3 low = mesh.vertices.front(), high = low;
+    for (const Vec3& v : mesh.vertices) {
+        low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+        high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+    }
+    const Vec3 middle = 0.5 * (low + high);
+    const double by = 0.5 * shrink * length(part.frame.right) * part.inflation->half_width;
+    const Vec3 move = by * Vec3{spread(number, 0.8192), spread(number, 0.6710), spread(number, 0.5497)};
+    for (Vec3& v : mesh.vertices) v = middle + (1 - shrink) * (v - middle) + move;
+    return mesh;
+}
+
+GridSurface on_grid(const SolidMesh& mesh, int part, const Grid3& grid) {
+    GridSurface surface;
+    for (const Vec3& v : mesh.vertices) surface.points.push_back(grid.to_grid(v));
+    surface.triangles = mesh.triangles;
+    surface.parts.assign(mesh.triangles.size(), part);
+    return surface;
+}
+
+// Without the surfaces of hollows that the parts enclose.
+void drop_hollows(GridSurface& surface) {
+    DisjointSets sets(surface.points.size());
+    for (const auto& [a, b, c] : surface.triangles) sets.unite(a, b), sets.unite(b, c);
+    std::vector<double> six(surface.points.size(), 0); // times the volume
+    const auto at = [&](int v) {
+        const GridPoint& p = surface.points[v];
+        return Vec3{static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
+    };
+    for (const auto& [a, b, c] : surface.triangles) six[sets.find(a)] += dot(at(a), cross(at(b), at(c)));
+    GridSurface kept;
+    kept.points = surface.points;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+        if (six[sets.find(surface.triangles[t][0])] > 0) {
+            kept.triangles.push_back(surface.triangles[t]);
+            kept.parts.push_back(surface.parts[t]);
+        }
+    surface = std::move(kept);
+}
+
+bool is_closed(const GridSurface& surface) {
+    std::vector<std::pair<int, int>> ways;
+    for (const auto& t : surface.triangles)
+        for (int k = 0; k < 3; ++k) ways.emplace_back(t[k], t[(k + 1) % 3]);
+    std::sort(ways.begin(), ways.end());
+    if (std::adjacent_find(ways.begin(), ways.end()) != ways.end()) return false;
+    return std::all_of(ways.begin(), ways.end(), [&](const auto& way) {
+        return std::binary_search(ways.begin(), ways.end(), std::pair(way.second, way.first));
+    });
+}
+
+void check_sizes(const std::vector<InflatedPart>& parts, const Grid3& grid) {
+    for (const InflatedPart& part : parts)
+        if (length(part.frame.right) * part.inflation->half_width * grid.scale < smallest)
+            throw Error(ErrorKind::input, "union: a part is too small beside the model");
+}
+
+SolidMesh in_model(const GridSurface& surface, const Grid3& grid) {
+    SolidMesh mesh;
+    std::vector<int> number(surface.points.size(), -1);
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        std::array<int, 3> triangle{};
+        for (int k = 0; k < 3; ++k) {
+            int& n = number[surface.triangles[t][k]];
+            if (n < 0) {
+                n = static_cast<int>(mesh.vertices.size());
+                mesh.vertices.push_back(grid.to_model(surface.points[surface.triangles[t][k]]));
+                mesh.parts.push_back(surface.parts[t]);
+            }
+            triangle[k] = n;
+        }
+        mesh.triangles.push_back(triangle);
+    }
+    mesh.triangle_parts = surface.parts;
+    return mesh;
+}
+
 } // namespace
 
-SolidMesh unite(const std::vector<InflatedPart>& parts, const UnionOptions& options) {
+SolidMesh unite(const std::vector<InflatedPart>& parts) {
     if (parts.empty()) return {};
-    const Vec3 size = size_of(parts);
-    double cell = cell_for(parts, size, options);
-    check_size(size, cell); // before the tables, which are as fine
-    if (all_smaller_than(cell, parts)) fail();
-    Fields fields(parts, cell);
-    if (options.cell <= 0 && fields.any_thin()) {
-        cell = finer_cell(parts, fields.is_thin, size, cell);
-        fields = Fields(parts, cell);
+    for (int tried = 0; tried < most_tries; ++tried) {
+        std::vector<SolidMesh> surfaces;
+        for (int p = 0; p < std::ssize(parts); ++p)
+            surfaces.push_back(set_apart(parts[p], p + tried * static_cast<int>(parts.size())));
+        const Grid3 grid(surfaces);
+        check_sizes(parts, grid);
+        GridSurface all;
+        bool done = true;
+        for (int p = 0; done && p < std::ssize(parts); ++p)
+            done = unite_with(all, on_grid(surfaces[p], p, grid));
+        if (!done) continue;
+        drop_hollows(all);
+        if (!is_closed(all)) continue;
+        collapse_short_edges(all, shortest_edge * grid_reach);
+        return in_model(all, grid);
     }
-    const Box3 box = fields.box();
-    check_size(box.high - box.low, cell);
-    TetrahedraLattice lattice(box.low, box.high, cell);
-    fields.each([&](const auto& field, int) {
-        lattice.each(field.box().low, field.box().high,
-                     [&](Vec3 p, double& value) { value = std::min(value, field(p)); });
-    });
-    SolidMesh mesh = lattice.surface([&](Vec3 p) { return fields.nearest(p).first; });
-    if (mesh.triangles.empty()) fail();
-    for (const Vec3& v : mesh.vertices) mesh.parts.push_back(fields.nearest(v).second);
-    for (std::size_t p = 0; p < parts.size(); ++p)
-        if (fields.is_thin[p]) mesh.thin_parts.push_back(static_cast<int>(p));
-    if (!mesh.thin_parts.empty()) mesh.least_thickness = 2 * least_radius(cell);
-    return mesh;
+    throw Error(ErrorKind::input, "union: the parts lie on each other in too many ways");
 }
 
 } // namespace pantin

@@ -69,7 +69,10 @@ RgbImage painted(const Strokes& strokes, const ModelView& view, const LabelMap& 
 
 Model build(const Strokes& strokes, const std::string& name, const ModelOptions& options) {
     try {
-        return Model(strokes, options);
+        Model model(strokes, options);
+        if (model.parts().empty())
+            throw Error(ErrorKind::input, "no part is left, there is nothing to model");
+        return model;
     } catch (const Error& error) {
         throw Error(error.kind(), name + ": " + error.what());
     }
@@ -117,7 +120,7 @@ void model_folder(const fs::path& input, const fs::path& out, const fs::path& ca
         view.height = source.picture->labels.height();
     } else {
         view = view_of(model, mesh);
-        source.picture = draw(model, view, mesh);
+        source.picture = draw(model, view);
         if (source.painted) source.picture->drawing = painted(source.strokes, view, source.picture->labels);
     }
     progress("weights", 0.6);

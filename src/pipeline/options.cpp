@@ -146,7 +146,6 @@ template <class Visitor> void visit_modeling(ModelOptions& o, Visitor& visit) {
     visit("modeling.merge", o.refinement.merge, 0, 10);
     visit("modeling.collapse", o.refinement.collapse, 0, 10);
     visit("modeling.longest_edge", o.inflation.longest_edge, 0.005, 1.0);
-    visit("modeling.cells_across", o.unite.cells_across, 8, 400);
 }
 
 template <class Visitor> void visit_rigging(RigOptions& o, Visitor& visit) {

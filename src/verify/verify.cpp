@@ -141,7 +141,6 @@ Options VerificationSettings::verification_options(std::string_view preset) {
         return options;
     }
     options.animation.samples = 8;
-    options.modeling.unite.cells_across = 10;
     options.modeling.inflation.polygon.samples = 100;
     options.modeling.inflation.longest_edge = 0.1;
     return options;

@@ -41,7 +41,7 @@ void check_weights(const std::vector<VertexWeights>& weights, std::size_t vertic
 
 SolidMesh solid_capsule(double half, double radius) {
     const Inflation bar = inflate(test::capsule({-half, 0}, {half, 0}, radius));
-    return unite({{&bar, 1, {}}}, {0, 40});
+    return unite({{&bar, 1, {}}});
 }
 
 const BoneSegment left{{-80, 0, 0}, {0, 0, 0}, 15}, right{{0, 0, 0}, {80, 0, 0}, 15};
@@ -116,7 +116,7 @@ TEST_CASE("weights are smooth along the surface") {
 TEST_CASE("the bones' order does not matter, nor does the model's size") {
     Random random(81);
     Model model(test::model_strokes("cat"));
-    const SolidMesh mesh = unite(model.inflated(), {0, 24});
+    const SolidMesh mesh = model.united();
     const std::vector<BoneSegment> bones = bones_of(model);
     const std::vector<VertexWeights> weights = bone_heat(mesh, bones);
     check_weights(weights, mesh.vertices.size(), static_cast<int>(bones.size()));
@@ -145,7 +145,7 @@ TEST_CASE("the bones' order does not matter, nor does the model's size") {
 
 TEST_CASE("limbs of a model follow their own bones") {
     Model model(test::model_strokes("cat"));
-    const SolidMesh mesh = unite(model.inflated(), {0, 24});
+    const SolidMesh mesh = model.united();
     const std::vector<BoneSegment> bones = bones_of(model);
     const std::vector<VertexWeights> weights = bone_heat(mesh, bones);
     std::vector<int> part_of;

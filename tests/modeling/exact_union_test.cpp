@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The union on a lattice beside the exact one (CGAL). `pantin-tests '[exact-union]'` prints the table of
+// Our union beside CGAL's. `pantin-tests '[exact-union]'` prints the table of
 // docs/modeling.md.
 #include <catch2/catch.hpp>
 
@@ -67,20 +67,19 @@ TEST_CASE("exact unions follow the rule of sums exactly", "[needs-cgal]") {
     CHECK(unite_exactly({}).triangles.empty());
 }
 
-TEST_CASE("the union on the lattice is the exact one up to its cells", "[needs-cgal]") {
+TEST_CASE("our union is the one of CGAL", "[needs-cgal]") {
     Model model(test::model_strokes("deer"));
     const SolidMesh ours = model.united(), exact = unite_exactly(model.inflated());
     CHECK(test::surface_fault(exact) == "");
     CHECK(test::components_of(exact) == 1);
     CHECK(test::self_cuts(exact) == 0);
-    CHECK(test::volume_of(ours) == Approx(test::volume_of(exact)).epsilon(0.03));
+    CHECK(test::volume_of(ours) == Approx(test::volume_of(exact)).epsilon(0.002));
     const test::SurfaceDistance distance = test::surface_distance(ours, exact);
-    CHECK(distance.mean < 0.002 * height_of(exact));
-    CHECK(distance.largest < 0.02 * height_of(exact));
+    CHECK(distance.mean < 0.0002 * height_of(exact));
+    CHECK(distance.largest < 0.002 * height_of(exact));
 }
 
-TEST_CASE("table of the nine models: the union on the lattice beside the exact one",
-          "[.][exact-union][needs-cgal]") {
+TEST_CASE("table of the nine models: our union beside CGAL's", "[.][exact-union][needs-cgal]") {
     std::printf("| model | volume, relative | mean distance | largest | triangles | time "
                 "|\n|---|---|---|---|---|---|\n");
     for (const std::string& name : test::model_names) {
@@ -95,7 +94,7 @@ TEST_CASE("table of the nine models: the union on the lattice beside the exact o
         const test::SurfaceDistance d = test::surface_distance(ours, exact);
         CHECK(test::surface_fault(exact) == "");
         CHECK(test::self_cuts(exact) == 0);
-        CHECK(d.largest < 0.02 * height_of(exact));
+        CHECK(d.largest < 0.002 * height_of(exact));
         std::printf("| %s | %+.2f %% | %.2f %% | %.2f %% | %zu / %zu | %.2f / %.2f s |\n", name.c_str(),
                     100 * (test::volume_of(ours) / test::volume_of(exact) - 1),
                     100 * d.mean / height_of(exact), 100 * d.largest / height_of(exact),

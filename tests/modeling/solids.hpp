@@ -146,6 +146,25 @@ inline int components_of(const SolidMesh& mesh) {
     return count;
 }
 
+// Handles of all pieces together.
+inline int genus_of(const SolidMesh& mesh) {
+    const auto faces = static_cast<int>(mesh.triangles.size());
+    return components_of(mesh) - (static_cast<int>(mesh.vertices.size()) - faces / 2) / 2;
+}
+
+// How often the surface goes around p: the solid angle of all triangles by that of the sphere (van Oosterom &
+// Strackee 1983).
+inline double winding_of(const SolidMesh& mesh, Vec3 p) {
+    double sum = 0;
+    for (const auto& [i, j, k] : mesh.triangles) {
+        const Vec3 a = mesh.vertices[i] - p, b = mesh.vertices[j] - p, c = mesh.vertices[k] - p;
+        const double x = length(a), y = length(b), z = length(c);
+        sum +=
+            2 * math::atan2(dot(a, cross(b, c)), x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y);
+    }
+    return sum / (4 * math::pi);
+}
+
 // Whether the ray from p towards the viewer crosses the surface an odd number of times. It begins a little
 // beside p, because the vertices of a lattice lie behind each other.
 inline bool holds(const SolidMesh& mesh, Vec3 p) {

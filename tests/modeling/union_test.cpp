@@ -47,8 +47,6 @@ double thickness_at(const SolidMesh& mesh, Point2d p) {
     return highest;
 }
 
-SolidMesh united(const std::vector<InflatedPart>& parts, double cells) { return unite(parts, {0, cells}); }
-
 } // namespace
 
 // --- inflation ---------------------------------------------------------------------------------------------
@@ -150,18 +148,18 @@ TEST_CASE("volumes of united solids follow the rule of sums") {
     const Inflation large = inflate(test::disc({0, 0}, 50)), small = inflate(test::disc({0, 0}, 20));
     const double volume = test::volume_of(part_surface(large, 1, front)),
                  less = test::volume_of(part_surface(small, 1, front));
-    const SolidMesh one = united({{&large, 1, front}}, 44);
-    CHECK(test::volume_of(one) ==
-          Approx(volume).epsilon(0.015)); // the part's own triangles are chords, so it is the smaller one
-    const SolidMesh apart = united({{&large, 1, front}, {&small, 1, shifted({90, 10, 0})}}, 60);
+    const SolidMesh one = unite({{&large, 1, front}});
+    CHECK(test::volume_of(one) == Approx(volume).epsilon(1e-3));
+    const SolidMesh apart = unite({{&large, 1, front}, {&small, 1, shifted({90, 10, 0})}});
     CHECK(test::components_of(apart) == 2);
-    CHECK(test::volume_of(apart) == Approx(volume + less).epsilon(0.015));
-    const SolidMesh within = united({{&large, 1, front}, {&small, 1, shifted({6, -3, 2})}}, 44);
+    CHECK(test::volume_of(apart) == Approx(volume + less).epsilon(1e-3));
+    const SolidMesh within = unite({{&large, 1, front}, {&small, 1, shifted({6, -3, 2})}});
     CHECK(test::components_of(within) == 1);
     CHECK(test::volume_of(within) == Approx(test::volume_of(one)).epsilon(1e-3));
-    const SolidMesh twice = united({{&large, 1, front}, {&large, 1, front}}, 44);
-    CHECK(twice.vertices == one.vertices);
-    CHECK(twice.triangles == one.triangles);
+    const SolidMesh twice = unite({{&large, 1, front}, {&large, 1, front}});
+    CHECK(test::components_of(twice) == 1);
+    CHECK(test::surface_fault(twice) == "");
+    CHECK(test::volume_of(twice) == Approx(volume).epsilon(1e-3));
     // Two that overlap: their sum without what both hold, which points at random find.
     const Frame beside = shifted({35, 20, 5});
     const SolidMesh first = part_surface(large, 1, front), second = part_surface(large, 1, beside);
@@ -175,24 +173,19 @@ TEST_CASE("volumes of united solids follow the rule of sums") {
         both += test::holds(first, p) && test::holds(second, p);
     }
     const double shared = size.x * size.y * size.z * both / tries;
-    CHECK(test::volume_of(united({{&large, 1, front}, {&large, 1, beside}}, 44)) ==
+    CHECK(test::volume_of(unite({{&large, 1, front}, {&large, 1, beside}})) ==
           Approx(2 * volume - shared).epsilon(0.02));
 }
 
-TEST_CASE("the united surface of one part lies on that part's own") {
+TEST_CASE("the united surface of one part is that part's own") {
     Random random(74);
     for (int round = 0; round < 6; ++round) {
         const Inflation inflation = inflate(test::blob(random, 2 + round % 4, 0.3));
-        const SolidMesh exact = part_surface(inflation, 1, front),
-                        mesh = united({{&inflation, 1, front}}, 30);
+        const SolidMesh exact = part_surface(inflation, 1, front), mesh = unite({{&inflation, 1, front}});
         CAPTURE(round);
         CHECK(test::surface_fault(mesh) == "");
-        const Vec3 size = test::highest(exact) - test::lowest(exact);
-        const double cell = std::max(size.x, size.y) / 30;
-        const test::SurfaceDistance apart = test::surface_distance(mesh, exact);
-        CHECK(apart.largest < 0.5 * cell);
-        CHECK(apart.mean < 0.1 * cell);
-        CHECK(test::volume_of(mesh) == Approx(test::volume_of(exact)).epsilon(0.02));
+        CHECK(test::surface_distance(mesh, exact).largest < 0.05); // of a size of 200
+        CHECK(test::volume_of(mesh) == Approx(test::volume_of(exact)).epsilon(1e-3));
     }
 }
 
@@ -211,7 +204,7 @@ TEST_CASE("random solids are united to closed surfaces that do not cut themselve
             if (random.chance(0.5)) frame = {frame.origin, {0, 0, -1}, {0, -1, 0}, {1, 0, 0}};
             parts.push_back({&inflation, random.uniform(0.3, 1.5), frame});
         }
-        const SolidMesh mesh = united(parts, 24);
+        const SolidMesh mesh = unite(parts);
         CAPTURE(round);
         CHECK(test::surface_fault(mesh) == "");
         CHECK(test::volume_of(mesh) > 0);
@@ -219,15 +212,39 @@ TEST_CASE("random solids are united to closed surfaces that do not cut themselve
     }
 }
 
-TEST_CASE("what no grid can hold is an input error") {
+TEST_CASE("parts that touch stay apart, parts that overlap a little are joined") {
+    const std::vector<Point2d> square = {{0, 0}, {100, 0}, {100, 100}, {0, 100}};
+    const Inflation one = inflate(square);
+    const SolidMesh touching = unite({{&one, 1, front}, {&one, 1, shifted({100, 0, 0})}});
+    CHECK(test::components_of(touching) == 2);
+    CHECK(test::surface_fault(touching) == "");
+    const SolidMesh joined = unite({{&one, 1, front}, {&one, 1, shifted({99.9, 0, 0})}});
+    CHECK(test::components_of(joined) == 1);
+    CHECK(test::surface_fault(joined) == "");
+    CHECK(test::genus_of(joined) == 0);
+}
+
+TEST_CASE("what parts enclose is filled") {
+    // Six plates around a hollow.
+    const Inflation plate = inflate({{-60, -60}, {60, -60}, {60, 60}, {-60, 60}});
+    std::vector<InflatedPart> box;
+    for (const double side : {-1.0, 1.0}) {
+        box.push_back({&plate, 0.3, {{0, 0, 50 * side}, {1, 0, 0}, {0, -1, 0}, {0, 0, 1}}});
+        box.push_back({&plate, 0.3, {{0, 50 * side, 0}, {1, 0, 0}, {0, 0, -1}, {0, -1, 0}}});
+        box.push_back({&plate, 0.3, {{50 * side, 0, 0}, {0, 0, -1}, {0, -1, 0}, {1, 0, 0}}});
+    }
+    const SolidMesh mesh = unite(box);
+    CHECK(test::surface_fault(mesh) == "");
+    CHECK(test::components_of(mesh) == 1);
+    CHECK(test::genus_of(mesh) == 0);
+    CHECK(test::holds(mesh, {0, 0, 0}));
+}
+
+TEST_CASE("a part that is nothing beside the model is an input error") {
     const Inflation ball = inflate(test::disc({0, 0}, 1));
     CHECK(unite({}).triangles.empty());
-    UnionOptions fine;
-    fine.cell = 1e-4;
-    CHECK_THROWS_AS(unite({{&ball, 1, front}}, fine), Error);
-    const SolidMesh flat = unite({{&ball, 1e-3, front}}); // between two layers of the grid
-    CHECK(flat.thin_parts == std::vector<int>{0});
-    CHECK(test::highest(flat).z > 0.2 * flat.least_thickness);
-    CHECK_THROWS_AS(unite({{&ball, 1, front}, {&ball, 1, shifted({1e9, 0, 0})}}),
-                    Error); // smaller than a cell
+    const SolidMesh flat = unite({{&ball, 1e-3, front}});
+    CHECK(test::surface_fault(flat) == "");
+    CHECK(test::highest(flat).z == Approx(1e-3 / std::sqrt(2)).epsilon(0.02));
+    CHECK_THROWS_AS(unite({{&ball, 1, front}, {&ball, 1, shifted({1e9, 0, 0})}}), Error);
 }

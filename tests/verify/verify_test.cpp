@@ -145,7 +145,7 @@ TEST_CASE("A changed option is seen in its stage alone, with file, place and bot
     settings.options.rigging.mapping.position_weight = 3;
     settings.options.rigging.limb_segments = 1;
     settings.options.animation.samples = 6;
-    settings.options.modeling.unite.cells_across = 12;
+    settings.options.modeling.inflation.longest_edge = 0.12;
     const Verification verification = verify(settings);
     INFO(verification_table(verification));
     const std::set<std::string> found = differing(verification);
@@ -154,9 +154,11 @@ TEST_CASE("A changed option is seen in its stage alone, with file, place and bot
             CHECK(found.count(std::string(stage) + "/" + drawing) == 1);
     for (const char* stage : {"detect", "identify", "map", "animate"}) // its wings are one stiff bone each
         CHECK(found.count(std::string(stage) + "/flyer") == 1);
+    CHECK(found.count("inflate/humanoid") == 1);
     CHECK(found.count("unite/humanoid") == 1);
-    const std::set<std::string> allowed = {"detect", "segment", "h2",      "skeletonize", "identify", "map",
-                                           "mesh",   "bones",   "weights", "animate",     "unite"};
+    const std::set<std::string> allowed = {"detect",   "segment", "h2",      "skeletonize",
+                                           "identify", "map",     "mesh",    "bones",
+                                           "weights",  "animate", "inflate", "unite"};
     for (const std::string& row : found) {
         CAPTURE(row);
         CHECK(allowed.count(row.substr(0, row.find('/'))) == 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Built without CGAL (`make CGAL=0`): the union on a lattice serves alone.
+// Built without CGAL (`make CGAL=0`): our own union serves alone.
 #include "modeling/cgal/unite_exactly.hpp"
 #include "pantin/error.hpp"
 
