@@ -35,6 +35,8 @@ struct InflationOptions {
 };
 // stroke: canvas units. Error(input) as simple_polygon(). RealSkel 4.1 (errata 28).
 Inflation inflate(const std::vector<Point2d>& stroke, const InflationOptions& options = {});
+// The same within an outline as simple_polygon() gives it: skeleton and surface of a part share one.
+Inflation inflate(const SimplePolygon& outline, const InflationOptions& options = {});
 
 // --- surfaces ----------------------------------------------------------------------------------------------
 
@@ -148,6 +150,7 @@ private:
     Drawn& drawn(const std::string& name);
     void check_new(const PartStroke& part) const;
     void extract(Drawn& drawn) const;
+    void note_repairs(const std::string& part, const SimplePolygon& outline);
     void simplify(Drawn& drawn, int branch, double threshold) const;
     void update();
     const Inflation& inflation_of(int part);

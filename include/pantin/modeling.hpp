@@ -56,6 +56,9 @@ struct SubSkeleton {
 // inside the shape. stroke: a closed outline, any unit. Error(input) as simple_polygon(). RealSkel 3.1
 // (errata 23).
 SubSkeleton sub_skeleton(const std::vector<Point2d>& stroke, const SubSkeletonOptions& options = {});
+// The same within an outline as simple_polygon() gives it, which stays the result's outline: what is found on
+// a coarser one (options.polygon.tolerance) and would leave it is found anew on a finer one. No error.
+SubSkeleton sub_skeleton(const SimplePolygon& outline, const SubSkeletonOptions& options = {});
 
 // --- skeletons in space ------------------------------------------------------------------------------------
 

@@ -64,6 +64,7 @@ struct Model::Drawn {
     Frame frame;                 // after all moves
     SubSkeletonOptions skeleton; // with what refine() asked for
     RefineSkeleton asked;        // for this part; otherwise the model's thresholds hold
+    SimplePolygon outline;       // of skeleton and surface: the stroke without its crossings
     double diagonal = 0;
     SubSkeleton flat;
     std::shared_ptr<const Inflation> inflation; // made when it is needed, …
@@ -110,11 +111,21 @@ void Model::check_new(const PartStroke& part) const {
 
 void Model::extract(Drawn& d) const {
     try {
-        d.flat = sub_skeleton(d.stroke.stroke, d.skeleton);
+        d.flat = sub_skeleton(d.outline, d.skeleton);
     } catch (const Error& error) {
         fail(d.stroke.name, error.what());
     }
-    d.diagonal = diagonal_of(d.flat.outline.corners);
+}
+
+void Model::note_repairs(const std::string& part, const SimplePolygon& outline) {
+    const auto note = [&](const std::string& what) { repairs_.push_back("part '" + part + "': " + what); };
+    const auto counted = [](int count, const std::string& what) {
+        return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+    };
+    if (outline.joined > 0)
+        note("the stroke crosses itself, " + counted(outline.joined, "lobe") + " joined by a neck");
+    if (outline.cut > 0) note("the stroke crosses itself, " + counted(outline.cut, "loop") + " cut off");
+    if (outline.uncrossed > 0) note("the strip crosses itself, its sides were exchanged there");
 }
 
 void Model::add_part(const PartStroke& part) {
@@ -124,14 +135,14 @@ void Model::add_part(const PartStroke& part) {
     d->frame = frame_of(part.view, origin_, part.depth);
     check_range(part.name, d->frame);
     d->skeleton = options_.skeleton;
+    try {
+        d->outline = simple_polygon(part.stroke, options_.inflation.polygon);
+    } catch (const Error& error) {
+        fail(part.name, error.what());
+    }
+    d->diagonal = diagonal_of(d->outline.corners);
     extract(*d);
-    if (d->flat.outline.cut > 0)
-        repairs_.push_back("part '" + part.name + "': the stroke crosses itself, " +
-                           std::to_string(d->flat.outline.cut) +
-                           (d->flat.outline.cut == 1 ? " loop" : " loops") + " cut off");
-    if (d->flat.outline.uncrossed > 0)
-        repairs_.push_back("part '" + part.name +
-                           "': the strip crosses itself, its sides were exchanged there");
+    note_repairs(part.name, d->outline);
     drawn_.push_back(d);
     update();
 }
@@ -233,7 +244,7 @@ void Model::update() {
 const Inflation& Model::inflation_of(int part) {
     Drawn& d = *drawn_[drawn_of_[part]];
     if (!d.inflation) {
-        d.inflation = std::make_shared<Inflation>(inflate(d.stroke.stroke, options_.inflation));
+        d.inflation = std::make_shared<Inflation>(inflate(d.outline, options_.inflation));
         d.spikes = spikes_of(d.flat.outline);
     }
     return *d.inflation;

@@ -64,6 +64,15 @@ double reach(const std::vector<Point2d>& outline, Point2d p, Point2d direction, 
     return nearest;
 }
 
+bool holds(const std::vector<Point2d>& outline, Point2d p) {
+    bool inside = false;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Point2d a = outline[i], b = outline[(i + 1) % outline.size()];
+        if ((a.y > p.y) != (b.y > p.y) && (cross(b - a, p - a) > 0) == (b.y > a.y)) inside = !inside;
+    }
+    return inside;
+}
+
 // Whether the way from a to b, a inside, touches the border.
 bool leaves(const std::vector<Point2d>& outline, Point2d a, Point2d b) {
     const double span = distance(a, b);
@@ -75,11 +84,31 @@ bool leaves(const std::vector<Point2d>& outline, const std::vector<Point2d>& lin
     return false;
 }
 
+// Whether all of a tree lies inside the border.
+bool lies_inside(const Tree& tree, const std::vector<Point2d>& outline) {
+    for (int a = 0; a < std::ssize(tree.joints); ++a) {
+        if (!holds(outline, tree.joints[a].place)) return false;
+        for (const int b : tree.neighbours[a])
+            if (a < b && leaves(outline, tree.joints[a].place, tree.joints[b].place)) return false;
+    }
+    return true;
+}
+
 // Whether a joint that takes the place of another one keeps the bones to the other's neighbours inside.
 bool can_take_over(const Tree& tree, const std::vector<Point2d>& outline, int kept, int gone) {
     return std::none_of(tree.neighbours[gone].begin(), tree.neighbours[gone].end(), [&](int n) {
         return n != kept && leaves(outline, tree.joints[kept].place, tree.joints[n].place);
     });
+}
+
+// That of a coarser outline, the coarsest whose skeleton stays inside the outline itself.
+Tree inner_tree_inside(const std::vector<Point2d>& outline, double tolerance) {
+    constexpr int tries = 4;
+    for (int k = 0; k < tries; ++k, tolerance *= 0.25) {
+        Tree tree = inner_tree(straight_skeleton({coarser_polygon(outline, tolerance)}));
+        if (lies_inside(tree, outline)) return tree;
+    }
+    return inner_tree(straight_skeleton({outline}));
 }
 
 // Collapses the edges shorter than the share of the mean edge, shortest first. Of two joints the wider one
@@ -199,11 +228,15 @@ std::vector<int> simplified(const Cylinder& cylinder, const std::vector<Point2d>
 } // namespace
 
 SubSkeleton sub_skeleton(const std::vector<Point2d>& stroke, const SubSkeletonOptions& options) {
+    return sub_skeleton(simple_polygon(stroke, options.polygon), options);
+}
+
+SubSkeleton sub_skeleton(const SimplePolygon& polygon, const SubSkeletonOptions& options) {
     SubSkeleton result;
-    result.outline = simple_polygon(stroke, options.polygon);
+    result.outline = polygon;
     const std::vector<Point2d>& outline = result.outline.corners;
     const double diagonal = diagonal_of(outline);
-    Tree tree = inner_tree(straight_skeleton({outline}));
+    Tree tree = inner_tree_inside(outline, options.polygon.tolerance * diagonal);
     for (int round = 0;
          round < options.collapse_rounds && collapse_short_edges(tree, outline, options.collapse); ++round) {
     }
