@@ -107,7 +107,10 @@ struct ModelPart {
 };
 struct ModelOptions {
     SubSkeletonOptions skeleton;
-    RefinementOptions refinement; // of every part, until refine() says otherwise; shares of its diagonal
+    RefinementOptions refinement; // of every part, until refine() says otherwise
+    // Thresholds are shares of each part's diagonal; otherwise of the whole model's, that of the box around all
+    // parts' outlines, as the article's are pixels of one canvas (errata 24).
+    bool per_part = false;
     InflationOptions inflation;
     UnionOptions unite;
 };
@@ -130,8 +133,12 @@ public:
     // RealSkel 4.1, utilities; canvas units, degrees.
     void move_part(const MovePart& move);
     void set_symmetry(const std::string& name, Symmetry symmetry);
-    // RealSkel 3.3; shares of the part's diagonal.
+    // RealSkel 3.3; shares of the model's diagonal.
     void refine(const RefineSkeleton& call);
+    // What thresholds make a difference now: shares of the model's diagonal, before refinement. RealSkel 3.3.
+    ThresholdRanges ranges() const;
+    // Of the box around all outlines; canvas units, 0 without parts.
+    double diagonal() const;
 
     const std::vector<ModelPart>& parts() const { return parts_; }
     const Connection& connection() const { return connection_; } // as connected, before refinement
@@ -149,7 +156,8 @@ private:
     struct Drawn;
     Drawn& drawn(const std::string& name);
     void check_new(const PartStroke& part) const;
-    void extract(Drawn& drawn) const;
+    void simplify_all(double whole);
+    bool stays_inside(int part, Vec3 from, Vec3 to) const;
     void note_repairs(const std::string& part, const SimplePolygon& outline);
     void simplify(Drawn& drawn, int branch, double threshold) const;
     void update();

@@ -83,14 +83,35 @@ bool is_lobe(const std::vector<Point2d>& lobe, const std::vector<Point2d>& rest,
     return 2 * covered < lobe.size() - 1;
 }
 
-// Without the crossing, where the loop begins, and without the corners on both sides of it until the mouth is
-// so wide, at most a third of all on each side.
+// So far along the loop, from its first corner on.
+Point2d point_along(const std::vector<Point2d>& loop, double way) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Point2d a = loop[i], b = loop[(i + 1) % loop.size()];
+        const double step = distance(a, b);
+        if (way < step) return a + (way / step) * (b - a);
+        way -= step;
+    }
+    return loop.front();
+}
+
+// Without the crossing, where the loop begins: it is left out, equally far on both sides, until the mouth is
+// so wide, at most half of the loop.
 void open_mouth(std::vector<Point2d>& loop, double width) {
-    const std::size_t most = (loop.size() - 1) / 3;
-    std::size_t first = 1, last = loop.size() - 1;
-    for (; first <= most && distance(loop[first], loop[last]) < width; ++first) --last;
-    loop = std::vector<Point2d>(loop.begin() + static_cast<std::ptrdiff_t>(first),
-                                loop.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+    constexpr double growth = 1.1, farthest = 0.25;
+    double around = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) around += distance(loop[i], loop[(i + 1) % loop.size()]);
+    double back = std::min(0.5 * width, farthest * around);
+    while (back < farthest * around &&
+           distance(point_along(loop, back), point_along(loop, around - back)) < width)
+        back = std::min(growth * back, farthest * around);
+    std::vector<Point2d> open = {point_along(loop, back)};
+    double way = 0;
+    for (std::size_t i = 1; i < loop.size(); ++i) {
+        way += distance(loop[i - 1], loop[i]);
+        if (way > back && way < around - back) open.push_back(loop[i]);
+    }
+    open.push_back(point_along(loop, around - back));
+    loop = std::move(open);
 }
 
 // Takes one crossing of two edges out. False when there is none.
@@ -111,7 +132,7 @@ bool take_crossing_out(std::vector<Point2d>& loop, double diagonal, const Simple
         std::reverse(loop.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                      loop.begin() + static_cast<std::ptrdiff_t>(k) + 1);
         ++polygon.uncrossed;
-    } else if (may_exchange && smaller.size() > 3 && is_lobe(smaller, larger, options)) {
+    } else if (may_exchange && is_lobe(smaller, larger, options)) {
         for (std::vector<Point2d>* half : {&smaller, &larger}) open_mouth(*half, options.neck * diagonal);
         loop = std::move(larger);
         loop.insert(loop.end(), smaller.rbegin(), smaller.rend());
