@@ -108,8 +108,8 @@ struct ModelPart {
 struct ModelOptions {
     SubSkeletonOptions skeleton;
     RefinementOptions refinement; // of every part, until refine() says otherwise
-    // Thresholds are shares of each part's diagonal; otherwise of the whole model's, that of the box around all
-    // parts' outlines, as the article's are pixels of one canvas (errata 24).
+    // Thresholds are shares of each part's diagonal; otherwise of the whole model's, that of the box around
+    // all parts' outlines, as the article's are pixels of one canvas (errata 24).
     bool per_part = false;
     InflationOptions inflation;
     UnionOptions unite;

@@ -34,12 +34,12 @@ struct SubSkeletonOptions {
     // Of the straight skeleton all edges but those that begin at the outline, as printed: a sharp arm has no
     // axis then. Otherwise those that contribute to the shape (errata 23).
     bool printed_axis = false;
-    double collapse = 0.5;   // of the mean edge: shorter edges of the straight skeleton are collapsed, …
-    int collapse_rounds = 3; // … so often
+    double collapse = 0.5;     // of the mean edge: shorter edges of the straight skeleton are collapsed, …
+    int collapse_rounds = 3;   // … so often
     double threshold = 0.0077; // of BoundedDP at first; 5 pixels of the article's canvas
     double least_threshold = 0.0015; // below it, 1 pixel, all slices are kept
-    double threshold_factor = 0.8; // by which it is lowered while a bone leaves the shape (Algorithm 2)
-    double shape_weight = 0.25;    // α_s; the article does not print it
+    double threshold_factor = 0.8;   // by which it is lowered while a bone leaves the shape (Algorithm 2)
+    double shape_weight = 0.25;      // α_s; the article does not print it
     // Instead of `threshold`, by number of the branch; −1: of all others (3.3, branch level).
     std::map<int, double> branch_thresholds;
 };
@@ -69,11 +69,11 @@ struct PartAxis {
 // (options.polygon.tolerance) and would leave the outline itself is found anew on a finer one. No error.
 // RealSkel 3.1 (errata 23).
 PartAxis part_axis(const SimplePolygon& outline, const SubSkeletonOptions& options = {});
-// Every branch simplified by BoundedDP, so that its bones stay inside the shape. unit: the length whose shares
-// the thresholds are. No error. RealSkel 3.1.
+// Every branch simplified by BoundedDP, so that its bones stay inside the shape. unit: the length whose
+// shares the thresholds are. No error. RealSkel 3.1.
 SubSkeleton sub_skeleton(const PartAxis& axis, double unit, const SubSkeletonOptions& options = {});
-// All of it; thresholds are shares of the outline's diagonal. stroke: a closed outline, any unit. Error(input)
-// as simple_polygon().
+// All of it; thresholds are shares of the outline's diagonal. stroke: a closed outline, any unit.
+// Error(input) as simple_polygon().
 SubSkeleton sub_skeleton(const std::vector<Point2d>& stroke, const SubSkeletonOptions& options = {});
 
 // --- skeletons in space ------------------------------------------------------------------------------------
@@ -131,9 +131,9 @@ RefinementOptions times(const RefinementOptions& shares, double length);
 using StaysInside = std::function<bool(int part, Vec3 from, Vec3 to)>;
 // Merges, prunes and collapses, in this order, and takes out what bones are too short. limits[part]: absolute
 // lengths; between joints of two parts the larger one holds. Branches are pruned one after the other, the
-// shortest first, each as long as it then is: of a fork with two short prongs one stays. Of joints that become
-// one the widest gives the place, the first one on a tie; where a bone would leave its part (`inside`, if it
-// is given) they stay two. No error. RealSkel 3.3 (errata 24).
+// shortest first, each as long as it then is: of a fork with two short prongs one stays. Of joints that
+// become one the widest gives the place, the first one on a tie; where a bone would leave its part (`inside`,
+// if it is given) they stay two. No error. RealSkel 3.3 (errata 24).
 JointTree refine(const JointTree& tree, const std::vector<RefinementOptions>& limits,
                  const StaysInside& inside = {});
 // The same in the plane; shares of the outline's diagonal. No error. RealSkel 3.3.
@@ -149,8 +149,8 @@ struct ThresholdRanges {
     ThresholdRange prune;    // branches that end
     ThresholdRange collapse; // bones between two inner joints
 };
-// "Calculated from the current geometric state of the skeleton"; 0 where there is nothing to change. No error.
-// RealSkel 1 and 3.3.
+// "Calculated from the current geometric state of the skeleton"; 0 where there is nothing to change. No
+// error. RealSkel 1 and 3.3.
 ThresholdRanges threshold_ranges(const JointTree& tree);
 
 } // namespace pantin

@@ -12,7 +12,8 @@
 namespace pantin {
 namespace {
 
-constexpr double no_area = 1e-9; // of the diagonal squared
+constexpr double no_area = 1e-9;   // of the diagonal squared
+constexpr double parallel = 1e-12; // sine of an angle
 // A strip: its area, of the diagonal squared, and the share of its diagonal that cutting a loop off must
 // leave.
 constexpr int most_uncrossed = 1000; // rounding could undo what it did
@@ -25,7 +26,7 @@ constexpr double finer = 0.1; // of a tolerance that flattens the stroke, the ne
 double crossing(Point2d a, Point2d b, Point2d c, Point2d d) {
     const Point2d u = b - a, v = d - c;
     const double sine = cross(u, v);
-    if (sine == 0) return -1;
+    if (std::abs(sine) <= parallel * length(u) * length(v)) return -1; // on one line: rounding would decide
     const double s = cross(c - a, v) / sine, t = cross(c - a, u) / sine;
     return s >= 0 && s <= 1 && t >= 0 && t <= 1 ? s : -1;
 }

@@ -14,8 +14,8 @@ namespace {
 
 // The tip of a wedge reaches beyond a disc in it, of radius 1, by 0.41 for 90°, 0.7 for 72°, 1 for 60°.
 constexpr double arm = 0.8;        // what reaches so far beyond a disc along it is an arm …
-constexpr double least_arm = 0.02; // … and no tremor: share of the diagonal
-constexpr double cap = 0.45;       // an arm ends at the disc beyond which its tip reaches so far, …
+constexpr double least_arm = 0.02; // … and no tremor, of a corner either: share of the diagonal
+constexpr double cap = 0.6;        // an arm ends at the disc beyond which its tip reaches so far, …
 constexpr double least_cap = 0.25; // … or, sharp, so far: share of least_arm
 constexpr double elongated = 1.8;  // a shape so much longer than wide, from corner to corner, has an axis
 
@@ -39,6 +39,8 @@ public:
         const int root = static_cast<int>(std::max_element(radius_.begin(), radius_.end()) - radius_.begin());
         visit(root);
         for (auto n = order_.rbegin(); n != order_.rend(); ++n) kept_[*n] = *n != root && is_arm(*n);
+        for (const int n : order_) // what the disc of a node nearer to the root covers is no arm
+            if (n != root && parent_[n] != root && !kept_[parent_[n]]) kept_[n] = 0;
         number_.assign(radius_.size(), -1);
         number_[root] = tree_.add({place(root), radius_[root]});
         for (const int n : order_)
@@ -50,7 +52,8 @@ public:
 private:
     Point2d place(int node) const { return skeleton_.nodes[node].place; }
 
-    // Depth first from the widest node; the corners behind a node that point outward are consecutive in leaves_.
+    // Depth first from the widest node; the corners behind a node that point outward are consecutive in
+    // leaves_.
     void visit(int root) {
         std::vector<std::pair<int, std::size_t>> path = {{root, 0}};
         order_.push_back(root);
@@ -99,8 +102,7 @@ private:
         if (out < small_) return false;
         for (const int child : neighbours_[node])
             if (child != parent && kept_[child]) return true;
-        return out >= arm * radius_[parent] ||
-               (node >= border_ && beyond(node, node) >= arm * radius_[node]);
+        return out >= arm * radius_[parent] || (node >= border_ && beyond(node, node) >= arm * radius_[node]);
     }
 
     bool ends(int node) const {
@@ -131,8 +133,8 @@ private:
         return out <= cap * radius || out <= least_cap * small_;
     }
 
-    // The end of an arm: on the way to the tip the first disc that reaches it, searched from way[from] on, and
-    // from there as far as the same disc fits in. way[at] is in the tree; `behind`: before the way.
+    // The end of an arm: on the way to the tip the first disc that reaches it, searched from way[from] on,
+    // and from there as far as the same disc fits in. way[at] is in the tree; `behind`: before the way.
     void add_end(const std::vector<int>& way, std::size_t at, std::size_t from,
                  const std::vector<Point2d>& behind) {
         const int tip = way.back();
@@ -188,7 +190,9 @@ private:
         if (tree_.neighbours[number_[root]].empty()) return extend_both(root);
         int side = -1;
         for (const int child : neighbours_[root])
-            if (!kept_[child] && first_leaf_[child] < end_leaf_[child] && (side < 0 || beyond(child, root) > beyond(side, root))) side = child;
+            if (!kept_[child] && first_leaf_[child] < end_leaf_[child] &&
+                (side < 0 || beyond(child, root) > beyond(side, root)))
+                side = child;
         if (side < 0) return;
         const int kept = tree_.neighbours[number_[root]].front();
         add_end(way_to(farthest(side, place(root)), root), 0, 0, {tree_.joints[kept].place});

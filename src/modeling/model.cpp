@@ -236,7 +236,8 @@ bool Model::stays_inside(int part, Vec3 from, Vec3 to) const {
     const Frame& frame = parts_[part].frame;
     const double square = dot(frame.right, frame.right);
     const auto on_canvas = [&](Vec3 p) {
-        return Point2d{dot(p - frame.origin, frame.right) / square, dot(p - frame.origin, frame.down) / square};
+        return Point2d{dot(p - frame.origin, frame.right) / square,
+                       dot(p - frame.origin, frame.down) / square};
     };
     const std::vector<Point2d>& outline = parts_[part].flat.outline.corners;
     return holds(outline, on_canvas(from)) && !leaves(outline, on_canvas(from), on_canvas(to));

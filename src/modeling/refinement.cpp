@@ -20,7 +20,8 @@ using Threshold = double RefinementOptions::*;
 
 class Refiner {
 public:
-    Refiner(const JointTree& skeleton, const std::vector<RefinementOptions>& limits, const StaysInside& inside)
+    Refiner(const JointTree& skeleton, const std::vector<RefinementOptions>& limits,
+            const StaysInside& inside)
         : skeleton_(skeleton), limits_(limits), inside_(inside), joints_(skeleton.joints),
           neighbours_(skeleton.joints.size()), gone_(skeleton.joints.size()), group_(skeleton.joints.size()) {
         std::iota(group_.begin(), group_.end(), 0);
@@ -69,7 +70,8 @@ public:
 
     // Bones between two inner joints, the shortest first.
     void collapse() {
-        contract_short_bones(&RefinementOptions::collapse, [&](int a, int b) { return !is_end(a) && !is_end(b); });
+        contract_short_bones(&RefinementOptions::collapse,
+                             [&](int a, int b) { return !is_end(a) && !is_end(b); });
     }
     void collapse_rest() {
         contract_short_bones(&RefinementOptions::least_bone, [](int, int) { return true; });
@@ -127,8 +129,8 @@ private:
     // Two neighbours become one, at the place of the wider; returns it.
     int contract(int a, int b) {
         const int kept = std::min(a, b), other = std::max(a, b);
-        const bool first = joints_[a].radius > joints_[b].radius ||
-                           (joints_[a].radius == joints_[b].radius && a < b);
+        const bool first =
+            joints_[a].radius > joints_[b].radius || (joints_[a].radius == joints_[b].radius && a < b);
         const JointTree::Joint wider = joints_[first ? a : b];
         std::erase(neighbours_[kept], other);
         for (const int n : neighbours_[other])
@@ -149,7 +151,8 @@ private:
     // Which of two joints stays: the wider one, but an end rather than a joint between two bones, which it is
     // the tip of, and a junction rather than an end; the other one where the bones would leave the part.
     bool choose(int a, int b, Bone& bone) const {
-        bool first = joints_[a].radius > joints_[b].radius || (joints_[a].radius == joints_[b].radius && a < b);
+        bool first =
+            joints_[a].radius > joints_[b].radius || (joints_[a].radius == joints_[b].radius && a < b);
         if (is_end(a) != is_end(b)) {
             const bool at_junction = is_junction(a) || is_junction(b);
             first = is_end(a) != at_junction;
@@ -214,7 +217,8 @@ JointTree refine(const JointTree& tree, const std::vector<RefinementOptions>& li
 }
 
 RefinementOptions times(const RefinementOptions& shares, double length) {
-    return {shares.merge * length, shares.prune * length, shares.collapse * length, shares.least_bone * length};
+    return {shares.merge * length, shares.prune * length, shares.collapse * length,
+            shares.least_bone * length};
 }
 
 ThresholdRanges threshold_ranges(const JointTree& tree) {

@@ -2,6 +2,7 @@
 // Ma et al. 2021, section 3.1: straight skeleton of a part, cleaned and simplified.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "geometry/extent.hpp"
 #include "modeling/axis_tree.hpp"
@@ -16,7 +17,7 @@ namespace {
 constexpr int slices_a_diagonal = 100; // samples along a branch as long as the stroke's diagonal
 constexpr double widest_slice = 2; // of the distance to the border: beyond, a slice runs into another branch
 constexpr double least_edge = 0.005; // of the diagonal: shorter edges are collapsed whatever the mean is
-constexpr int spline_steps = 8;    // points of the spline between two nodes, before it is sliced evenly
+constexpr int spline_steps = 8;      // points of the spline between two nodes, before it is sliced evenly
 
 bool leaves(const std::vector<Point2d>& outline, const std::vector<Point2d>& line) {
     for (std::size_t i = 1; i < line.size(); ++i)
@@ -41,11 +42,41 @@ bool can_take_over(const AxisTree& tree, const std::vector<Point2d>& outline, in
     });
 }
 
+// Whether every corner hangs together with the others. Where many corners meet in one instant, as in an exact
+// cross, the straight skeleton can fall apart.
+bool is_whole(const StraightSkeleton& skeleton) {
+    std::vector<int> group(skeleton.nodes.size());
+    std::iota(group.begin(), group.end(), 0);
+    const auto root = [&](int n) {
+        while (group[n] != n) n = group[n] = group[group[n]];
+        return n;
+    };
+    for (const StraightSkeleton::Arc& arc : skeleton.arcs) group[root(arc.from)] = root(arc.to);
+    for (int c = 1; c < std::ssize(skeleton.corners); ++c)
+        if (root(c) != root(0)) return false;
+    return true;
+}
+
+// Of the polygon, or of one whose corners lie a little beside its own, so that few meet in one instant.
+StraightSkeleton whole_skeleton(const std::vector<Point2d>& polygon) {
+    constexpr double aside = 1e-6; // of the diagonal
+    constexpr int tries = 3, places = 7;
+    StraightSkeleton skeleton = straight_skeleton({polygon});
+    std::vector<Point2d> shaken = polygon;
+    for (int round = 1; round <= tries && !is_whole(skeleton); ++round) {
+        const double step = aside * diagonal_of(polygon) / places;
+        for (int i = 0; i < std::ssize(shaken); ++i)
+            shaken[i] = polygon[i] + step * Point2d{(i * 3 + round) % places - 3.0, (i * 5 + round) % places - 3.0};
+        skeleton = straight_skeleton({shaken});
+    }
+    return skeleton;
+}
+
 // On a coarser outline, the coarsest whose axis stays inside the outline itself.
 AxisTree axis_inside(const std::vector<Point2d>& outline, const SubSkeletonOptions& options) {
     constexpr int tries = 4;
     const auto axis = [&](const std::vector<Point2d>& polygon) {
-        const StraightSkeleton skeleton = straight_skeleton({polygon});
+        const StraightSkeleton skeleton = whole_skeleton(polygon);
         return options.printed_axis ? printed_axis(skeleton) : contributing_axis(skeleton);
     };
     double tolerance = options.polygon.tolerance * diagonal_of(outline);
@@ -71,8 +102,7 @@ std::vector<Edge> short_edges(const AxisTree& tree, double share, double least) 
                 edges.push_back({distance(tree.joints[a].place, tree.joints[b].place), a, b});
                 sum += edges.back().length;
             }
-    const double limit =
-        edges.empty() ? 0 : std::max(least, share * sum / static_cast<double>(edges.size()));
+    const double limit = edges.empty() ? 0 : std::max(least, share * sum / static_cast<double>(edges.size()));
     std::erase_if(edges, [limit](const Edge& e) { return e.length >= limit && e.length > 0; });
     std::stable_sort(edges.begin(), edges.end(),
                      [](const Edge& e, const Edge& f) { return e.length < f.length; });
@@ -144,7 +174,8 @@ void leave_out(Cylinder& cylinder, const SubSkeleton::Joint& junction) {
     const bool at_front = cylinder.axis.front() == junction.place;
     const auto slice = [&](int i) { return at_front ? i : count - 1 - i; };
     int first = 0;
-    while (first + 1 < count && distance(cylinder.axis[slice(first)], junction.place) < junction.radius) ++first;
+    while (first + 1 < count && distance(cylinder.axis[slice(first)], junction.place) < junction.radius)
+        ++first;
     const int next = std::min(2 * first, count - 1); // as far beyond
     for (std::vector<double>* side : {&cylinder.left, &cylinder.right}) {
         const double width = (*side)[slice(first)];
@@ -200,8 +231,8 @@ PartAxis part_axis(const SimplePolygon& polygon, const SubSkeletonOptions& optio
     const double diagonal = diagonal_of(outline);
     AxisTree tree = axis_inside(outline, options);
     const double least = options.printed_axis ? 0 : least_edge * diagonal;
-    for (int round = 0; round < options.collapse_rounds &&
-                        collapse_short_edges(tree, outline, options.collapse, least);
+    for (int round = 0;
+         round < options.collapse_rounds && collapse_short_edges(tree, outline, options.collapse, least);
          ++round) {
     }
     while (collapse_short_edges(tree, outline, 0, least)) {
