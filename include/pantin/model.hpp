@@ -29,7 +29,7 @@ struct Inflation {
     double half_width = 0;       // area by perimeter: half the width of a long part
 };
 struct InflationOptions {
-    SimplePolygonOptions polygon{300, 0.0006}; // finer than for the skeleton: one sees it
+    SimplePolygonOptions polygon{300, 0.0006}; // of a model: of surface and skeleton
     double longest_edge = 0.04;                // share of the diagonal; thin parts get shorter ones
     double shortest_edge = 0.002;
 };

@@ -30,7 +30,10 @@ struct Cylinder {
 std::vector<int> bounded_dp(const Cylinder& cylinder, double threshold, double shape_weight);
 
 struct SubSkeletonOptions {
-    SimplePolygonOptions polygon;
+    SimplePolygonOptions polygon{300, 0.0006};
+    // The skeleton is that of an outline simplified so far, share of the diagonal, or half as far as often as
+    // it would leave the outline: a tremor below it leaves no trace.
+    double coarsest = 0.015;
     // Of the straight skeleton all edges but those that begin at the outline, as printed: a sharp arm has no
     // axis then. Otherwise those that contribute to the shape (errata 23).
     bool printed_axis = false;
@@ -66,7 +69,7 @@ struct PartAxis {
 };
 // Straight skeleton within an outline as simple_polygon() gives it, what of it is the axis, short edges
 // collapsed; every branch is smoothed by a spline and sliced evenly. What is found on a coarser outline
-// (options.polygon.tolerance) and would leave the outline itself is found anew on a finer one. No error.
+// (options.coarsest) and would leave the outline itself is found anew on a finer one. No error.
 // RealSkel 3.1 (errata 23).
 PartAxis part_axis(const SimplePolygon& outline, const SubSkeletonOptions& options = {});
 // Every branch simplified by BoundedDP, so that its bones stay inside the shape. unit: the length whose
@@ -119,7 +122,7 @@ Connection connect(const std::vector<JointTree>& parts, const std::vector<Parent
 
 // --- refinement (3.3) --------------------------------------------------------------------------------------
 
-// Thresholds, shares of the diagonal. A larger one never gives more joints; 0 does nothing.
+// Thresholds, shares of the diagonal. Alone, a larger one never gives more joints; 0 does nothing.
 struct RefinementOptions {
     double merge = 0.046;      // junctions so close along one branch become one
     double prune = 0.046;      // a branch that ends and is shorter goes

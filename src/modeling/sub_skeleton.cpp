@@ -66,7 +66,8 @@ StraightSkeleton whole_skeleton(const std::vector<Point2d>& polygon) {
     for (int round = 1; round <= tries && !is_whole(skeleton); ++round) {
         const double step = aside * diagonal_of(polygon) / places;
         for (int i = 0; i < std::ssize(shaken); ++i)
-            shaken[i] = polygon[i] + step * Point2d{(i * 3 + round) % places - 3.0, (i * 5 + round) % places - 3.0};
+            shaken[i] =
+                polygon[i] + step * Point2d{(i * 3 + round) % places - 3.0, (i * 5 + round) % places - 3.0};
         skeleton = straight_skeleton({shaken});
     }
     return skeleton;
@@ -74,13 +75,13 @@ StraightSkeleton whole_skeleton(const std::vector<Point2d>& polygon) {
 
 // On a coarser outline, the coarsest whose axis stays inside the outline itself.
 AxisTree axis_inside(const std::vector<Point2d>& outline, const SubSkeletonOptions& options) {
-    constexpr int tries = 4;
+    constexpr int tries = 6;
     const auto axis = [&](const std::vector<Point2d>& polygon) {
         const StraightSkeleton skeleton = whole_skeleton(polygon);
         return options.printed_axis ? printed_axis(skeleton) : contributing_axis(skeleton);
     };
-    double tolerance = options.polygon.tolerance * diagonal_of(outline);
-    for (int k = 0; k < tries; ++k, tolerance *= 0.25) {
+    double tolerance = options.coarsest * diagonal_of(outline);
+    for (int k = 0; k < tries; ++k, tolerance *= 0.5) {
         AxisTree tree = axis(coarser_polygon(outline, tolerance));
         if (lies_inside(tree, outline)) return tree;
     }
@@ -154,9 +155,14 @@ Cylinder cylinder_of(const std::vector<Point2d>& outline, const std::vector<Poin
                      double diagonal) {
     std::vector<Point2d> line = spline(branch);
     if (leaves(outline, line)) line = branch;
-    const int count =
+    int count =
         std::max(3, 1 + static_cast<int>(std::ceil(slices_a_diagonal * polyline_length(line) / diagonal)));
+    constexpr int most_slices = 2000;
     Cylinder cylinder{resample(line, count), {}, {}};
+    while (count < most_slices && leaves(outline, cylinder.axis)) { // cut a corner of the axis
+        count *= 2;
+        cylinder.axis = resample(line, count);
+    }
     for (int i = 0; i < count; ++i) {
         const Point2d way = cylinder.axis[std::min(i + 1, count - 1)] - cylinder.axis[std::max(i - 1, 0)];
         const double size = length(way);

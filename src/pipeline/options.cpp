@@ -137,7 +137,7 @@ template <class Visitor> void visit_identification(IdentificationOptions& o, Vis
 
 template <class Visitor> void visit_modeling(ModelOptions& o, Visitor& visit) {
     visit("modeling.samples", o.inflation.polygon.samples, 0, 100000);
-    visit("modeling.tolerance", o.skeleton.polygon.tolerance, 0, 1);
+    visit("modeling.tolerance", o.skeleton.coarsest, 0, 1);
     visit("modeling.printed_axis", o.skeleton.printed_axis);
     visit("modeling.per_part", o.per_part);
     visit("modeling.first_collapse", o.skeleton.collapse, 0, 1);

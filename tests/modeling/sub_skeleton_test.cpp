@@ -278,7 +278,7 @@ TEST_CASE("refinement keeps a tree inside the shape, and larger thresholds never
         }
         fewer += refine(whole).joints.size() < whole.joints.size();
     }
-    CHECK(fewer > 20);
+    CHECK(fewer > 15);
 }
 
 TEST_CASE("bad strokes are refused in a line") {
