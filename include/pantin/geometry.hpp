@@ -80,17 +80,26 @@ struct SimplePolygonOptions {
     int samples = 200;         // points on the stroke at equal arc length; 0: the stroke's own points
     double tolerance = 0.0025; // of Douglas–Peucker, share of the diagonal
     int finer = 3;             // how often a tenth of it is tried on a stroke that it flattens
+    // A lobe beyond a crossing stays when its area is this share of the rest's or its diagonal the other one
+    // of the rest's; it hangs on a neck so wide, of the diagonal.
+    double lobe_area = 0.03, lobe_size = 0.2, neck = 0.02;
 };
 struct SimplePolygon {
     std::vector<Point2d> corners; // interior on the left where y points up
     int cut = 0;                  // crossings that were cut off, each with the smaller of its two loops
+    int joined = 0;               // crossings that became necks between two lobes
     int uncrossed = 0;            // crossings of a thin strip, whose sides were exchanged
 };
-// Closes the stroke (points in any unit, the result in the same), samples it evenly, simplifies it, cuts
-// crossings off, or uncrosses them where cutting would take a piece of a thin strip's length. A stroke so
+// Closes the stroke (points in any unit, the result in the same), samples it evenly, simplifies it and takes
+// its crossings out, that of the shortest loop first: a loop that lies outside the rest and is no slip of the
+// pen is joined to it by a neck, so that both lobes of a figure eight stay; what the rest covers, or is
+// small, is cut off; a thin strip, which cutting would take a piece of its length, is uncrossed. A stroke so
 // thin that nothing of its area is left is simplified with a tenth of the tolerance, up to `finer` times
 // (own). Error(input) for a coordinate that is not a number and for a stroke without area. Ma et al.
-// 2021, 3.1, "Simple polygon acquisition".
+// 2021, 3.1, "Simple polygon acquisition" (errata 23).
 SimplePolygon simple_polygon(const std::vector<Point2d>& stroke, const SimplePolygonOptions& options = {});
+// A simple polygon by Douglas–Peucker with the tolerance (its unit), or with a quarter of it as often as the
+// result would cross itself or lose a tenth of its area. No error. Ma et al. 2021, 3.1.
+std::vector<Point2d> coarser_polygon(const std::vector<Point2d>& polygon, double tolerance);
 
 } // namespace pantin

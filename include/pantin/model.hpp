@@ -29,12 +29,14 @@ struct Inflation {
     double half_width = 0;       // area by perimeter: half the width of a long part
 };
 struct InflationOptions {
-    SimplePolygonOptions polygon{300, 0.0006}; // finer than for the skeleton: one sees it
+    SimplePolygonOptions polygon{300, 0.0006}; // of a model: of surface and skeleton
     double longest_edge = 0.04;                // share of the diagonal; thin parts get shorter ones
     double shortest_edge = 0.002;
 };
 // stroke: canvas units. Error(input) as simple_polygon(). RealSkel 4.1 (errata 28).
 Inflation inflate(const std::vector<Point2d>& stroke, const InflationOptions& options = {});
+// The same within an outline as simple_polygon() gives it: skeleton and surface of a part share one.
+Inflation inflate(const SimplePolygon& outline, const InflationOptions& options = {});
 
 // --- surfaces ----------------------------------------------------------------------------------------------
 
@@ -90,7 +92,10 @@ struct ModelPart {
 };
 struct ModelOptions {
     SubSkeletonOptions skeleton;
-    RefinementOptions refinement; // of every part, until refine() says otherwise; shares of its diagonal
+    RefinementOptions refinement; // of every part, until refine() says otherwise
+    // Thresholds are shares of each part's diagonal; otherwise of the whole model's, that of the box around
+    // all parts' outlines, as the article's are pixels of one canvas (errata 24).
+    bool per_part = false;
     InflationOptions inflation;
 };
 
@@ -112,8 +117,12 @@ public:
     // RealSkel 4.1, utilities; canvas units, degrees.
     void move_part(const MovePart& move);
     void set_symmetry(const std::string& name, Symmetry symmetry);
-    // RealSkel 3.3; shares of the part's diagonal.
+    // RealSkel 3.3; shares of the model's diagonal.
     void refine(const RefineSkeleton& call);
+    // What thresholds make a difference now: shares of the model's diagonal, before refinement. RealSkel 3.3.
+    ThresholdRanges ranges() const;
+    // Of the box around all outlines; canvas units, 0 without parts.
+    double diagonal() const;
 
     const std::vector<ModelPart>& parts() const { return parts_; }
     const Connection& connection() const { return connection_; } // as connected, before refinement
@@ -130,7 +139,9 @@ private:
     struct Drawn;
     Drawn& drawn(const std::string& name);
     void check_new(const PartStroke& part) const;
-    void extract(Drawn& drawn) const;
+    void simplify_all(double whole);
+    bool stays_inside(int part, Vec3 from, Vec3 to) const;
+    void note_repairs(const std::string& part, const SimplePolygon& outline);
     void simplify(Drawn& drawn, int branch, double threshold) const;
     void update();
     const Inflation& inflation_of(int part);

@@ -5,6 +5,7 @@
 // that results do not depend on resolution (docs/errata.md).
 #pragma once
 
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -29,12 +30,17 @@ struct Cylinder {
 std::vector<int> bounded_dp(const Cylinder& cylinder, double threshold, double shape_weight);
 
 struct SubSkeletonOptions {
-    SimplePolygonOptions polygon;
-    double collapse = 0.5;   // of the mean edge: shorter edges of the straight skeleton are collapsed, …
-    int collapse_rounds = 3; // … so often
-    double threshold =
-        0.0077; // of BoundedDP at first, share of the diagonal; 5 pixels of the article's canvas
-    double least_threshold = 0.0002; // below it all slices are kept; 1 pixel would be 0.0015
+    SimplePolygonOptions polygon{300, 0.0006};
+    // The skeleton is that of an outline simplified so far, share of the diagonal, or half as far as often as
+    // it would leave the outline: a tremor below it leaves no trace.
+    double coarsest = 0.015;
+    // Of the straight skeleton all edges but those that begin at the outline, as printed: a sharp arm has no
+    // axis then. Otherwise those that contribute to the shape (errata 23).
+    bool printed_axis = false;
+    double collapse = 0.5;     // of the mean edge: shorter edges of the straight skeleton are collapsed, …
+    int collapse_rounds = 3;   // … so often
+    double threshold = 0.0077; // of BoundedDP at first; 5 pixels of the article's canvas
+    double least_threshold = 0.0015; // below it, 1 pixel, all slices are kept
     double threshold_factor = 0.8;   // by which it is lowered while a bone leaves the shape (Algorithm 2)
     double shape_weight = 0.25;      // α_s; the article does not print it
     // Instead of `threshold`, by number of the branch; −1: of all others (3.3, branch level).
@@ -51,10 +57,26 @@ struct SubSkeleton {
     // Their joints from an end or a junction to the next one; numbered by the outline alone.
     std::vector<std::vector<int>> branches;
 };
-// Straight skeleton, without its peripheral arcs (those that begin at the outline), short edges collapsed;
-// every branch is smoothed by a spline, sliced evenly and simplified by BoundedDP, so that its bones stay
-// inside the shape. stroke: a closed outline, any unit. Error(input) as simple_polygon(). RealSkel 3.1
-// (errata 23).
+// The axis of a part, before it is simplified: what depends on its outline alone.
+struct PartAxis {
+    struct Branch {
+        int from = 0, to = 0; // joints
+        Cylinder cylinder;
+    };
+    SimplePolygon outline;
+    std::vector<SubSkeleton::Joint> joints; // ends and junctions
+    std::vector<Branch> branches;
+};
+// Straight skeleton within an outline as simple_polygon() gives it, what of it is the axis, short edges
+// collapsed; every branch is smoothed by a spline and sliced evenly. What is found on a coarser outline
+// (options.coarsest) and would leave the outline itself is found anew on a finer one. No error.
+// RealSkel 3.1 (errata 23).
+PartAxis part_axis(const SimplePolygon& outline, const SubSkeletonOptions& options = {});
+// Every branch simplified by BoundedDP, so that its bones stay inside the shape. unit: the length whose
+// shares the thresholds are. No error. RealSkel 3.1.
+SubSkeleton sub_skeleton(const PartAxis& axis, double unit, const SubSkeletonOptions& options = {});
+// All of it; thresholds are shares of the outline's diagonal. stroke: a closed outline, any unit.
+// Error(input) as simple_polygon().
 SubSkeleton sub_skeleton(const std::vector<Point2d>& stroke, const SubSkeletonOptions& options = {});
 
 // --- skeletons in space ------------------------------------------------------------------------------------
@@ -100,17 +122,38 @@ Connection connect(const std::vector<JointTree>& parts, const std::vector<Parent
 
 // --- refinement (3.3) --------------------------------------------------------------------------------------
 
-// Thresholds, shares of the diagonal. A larger one never gives more joints; 0 does nothing.
+// Thresholds, shares of the diagonal. Alone, a larger one never gives more joints; 0 does nothing.
 struct RefinementOptions {
-    double prune = 0.046;    // a branch that ends and is shorter goes
-    double merge = 0.046;    // junctions so close along one branch become one
-    double collapse = 0.015; // a shorter bone between two inner joints becomes a joint
+    double merge = 0.046;      // junctions so close along one branch become one
+    double prune = 0.046;      // a branch that ends and is shorter goes
+    double collapse = 0.015;   // a shorter bone between two inner joints becomes a joint
+    double least_bone = 0.005; // any shorter bone becomes a joint (own)
 };
-// Prunes, merges and collapses, in this order. limits[part]: absolute lengths; between joints of two parts
-// the larger one holds. Of joints that become one the widest gives the place, the first one on a tie. No
-// error. RealSkel 3.3 (errata 24).
-JointTree refine(const JointTree& tree, const std::vector<RefinementOptions>& limits);
+RefinementOptions times(const RefinementOptions& shares, double length);
+// Whether a bone of one part, between these places, stays inside it.
+using StaysInside = std::function<bool(int part, Vec3 from, Vec3 to)>;
+// Merges, prunes and collapses, in this order, and takes out what bones are too short. limits[part]: absolute
+// lengths; between joints of two parts the larger one holds. Branches are pruned one after the other, the
+// shortest first, each as long as it then is: of a fork with two short prongs one stays. Of joints that
+// become one the widest gives the place, the first one on a tie; where a bone would leave its part (`inside`,
+// if it is given) they stay two. No error. RealSkel 3.3 (errata 24).
+JointTree refine(const JointTree& tree, const std::vector<RefinementOptions>& limits,
+                 const StaysInside& inside = {});
 // The same in the plane; shares of the outline's diagonal. No error. RealSkel 3.3.
 SubSkeleton refine(const SubSkeleton& skeleton, const RefinementOptions& options = {});
+
+// From the least to the largest threshold that makes a difference to a skeleton: the ends of a slider. Its
+// unit.
+struct ThresholdRange {
+    double least = 0, most = 0;
+};
+struct ThresholdRanges {
+    ThresholdRange merge;    // between two junctions along one branch
+    ThresholdRange prune;    // branches that end
+    ThresholdRange collapse; // bones between two inner joints
+};
+// "Calculated from the current geometric state of the skeleton"; 0 where there is nothing to change. No
+// error. RealSkel 1 and 3.3.
+ThresholdRanges threshold_ranges(const JointTree& tree);
 
 } // namespace pantin

@@ -48,6 +48,8 @@ public:
             Nearest nearest;
             attachment.parent = choose_parent(part);
             if (attachment.parent >= 0) nearest = nearest_to(part, attachment.parent, true);
+            if (nearest.joint >= 0 && nearest.gap > 0)
+                nearest = nearest_to(part, attachment.parent, true, true);
             add(part, first);
             if (nearest.joint >= 0) attach(attachment, nearest, first);
             connected_.attachments.push_back(attachment);
@@ -56,19 +58,20 @@ public:
     }
 
 private:
-    // Ends and junctions may be connected (Definitions 3 and 5); a part of one joint has that one.
-    std::vector<int> candidates(int part) const {
+    // Ends and junctions may be connected (Definitions 3 and 5), all joints where none of them lies in the
+    // parent (`all`); a part of one joint has that one.
+    std::vector<int> candidates(int part, bool all) const {
         std::vector<int> degree(parts_[part].joints.size());
         for (const auto& [a, b] : parts_[part].bones) ++degree[a], ++degree[b];
         std::vector<int> found;
         for (int j = 0; j < std::ssize(degree); ++j)
-            if (degree[j] != 2) found.push_back(j);
+            if (all || degree[j] != 2) found.push_back(j);
         return found;
     }
 
     // Of the child's candidates and the parent's bones, as they are now (`divided`) or as they were drawn,
     // the nearest pair.
-    Nearest nearest_to(int child, int parent, bool divided) const {
+    Nearest nearest_to(int child, int parent, bool divided, bool all = false) const {
         const JointTree& tree = divided ? connected_.tree : parts_[parent];
         Nearest best;
         const auto offer = [&](int joint, const Foot& foot, double radius, int bone, int end) {
@@ -76,7 +79,7 @@ private:
             if (foot.distance < best.distance)
                 best = {foot.distance, best.gap, joint, bone, end, foot.share, foot.inside};
         };
-        for (const int joint : candidates(child)) {
+        for (const int joint : candidates(child, all)) {
             const Vec3 p = parts_[child].joints[joint].place;
             for (int j = 0; j < std::ssize(tree.joints); ++j)
                 if (!divided || tree.joints[j].part == parent)

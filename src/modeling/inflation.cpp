@@ -133,7 +133,11 @@ std::vector<double> solve_poisson(const Inflation& mesh) {
 } // namespace
 
 Inflation inflate(const std::vector<Point2d>& stroke, const InflationOptions& options) {
-    const std::vector<Point2d> outline = simple_polygon(stroke, options.polygon).corners;
+    return inflate(simple_polygon(stroke, options.polygon), options);
+}
+
+Inflation inflate(const SimplePolygon& polygon, const InflationOptions& options) {
+    const std::vector<Point2d>& outline = polygon.corners;
     const GridFrame grid(outline);
     std::vector<Point2i> loop;
     for (const Point2d& p : outline)

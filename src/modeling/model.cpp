@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/extent.hpp"
+#include "modeling/axis_tree.hpp"
 #include "modeling/frames.hpp"
 #include "modeling/rooted.hpp"
 #include "pantin/error.hpp"
@@ -56,7 +57,9 @@ struct Model::Drawn {
     Frame frame;                 // after all moves
     SubSkeletonOptions skeleton; // with what refine() asked for
     RefineSkeleton asked;        // for this part; otherwise the model's thresholds hold
-    double diagonal = 0;
+    SimplePolygon outline;       // of skeleton and surface: the stroke without its crossings
+    std::shared_ptr<const PartAxis> axis;
+    double diagonal = 0, unit = 0; // of the outline; whose shares the thresholds are
     SubSkeleton flat;
     std::shared_ptr<const Inflation> inflation; // made when it is needed
 };
@@ -99,13 +102,15 @@ void Model::check_new(const PartStroke& part) const {
     if (!std::isfinite(part.depth)) fail(part.name, "its depth is not a number");
 }
 
-void Model::extract(Drawn& d) const {
-    try {
-        d.flat = sub_skeleton(d.stroke.stroke, d.skeleton);
-    } catch (const Error& error) {
-        fail(d.stroke.name, error.what());
-    }
-    d.diagonal = diagonal_of(d.flat.outline.corners);
+void Model::note_repairs(const std::string& part, const SimplePolygon& outline) {
+    const auto note = [&](const std::string& what) { repairs_.push_back("part '" + part + "': " + what); };
+    const auto counted = [](int count, const std::string& what) {
+        return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+    };
+    if (outline.joined > 0)
+        note("the stroke crosses itself, " + counted(outline.joined, "lobe") + " joined by a neck");
+    if (outline.cut > 0) note("the stroke crosses itself, " + counted(outline.cut, "loop") + " cut off");
+    if (outline.uncrossed > 0) note("the strip crosses itself, its sides were exchanged there");
 }
 
 void Model::add_part(const PartStroke& part) {
@@ -115,14 +120,14 @@ void Model::add_part(const PartStroke& part) {
     d->frame = frame_of(part.view, origin_, part.depth);
     check_range(part.name, d->frame);
     d->skeleton = options_.skeleton;
-    extract(*d);
-    if (d->flat.outline.cut > 0)
-        repairs_.push_back("part '" + part.name + "': the stroke crosses itself, " +
-                           std::to_string(d->flat.outline.cut) +
-                           (d->flat.outline.cut == 1 ? " loop" : " loops") + " cut off");
-    if (d->flat.outline.uncrossed > 0)
-        repairs_.push_back("part '" + part.name +
-                           "': the strip crosses itself, its sides were exchanged there");
+    try {
+        d->outline = simple_polygon(part.stroke, options_.inflation.polygon);
+    } catch (const Error& error) {
+        fail(part.name, error.what());
+    }
+    d->diagonal = diagonal_of(d->outline.corners);
+    d->axis = std::make_shared<PartAxis>(part_axis(d->outline, options_.skeleton));
+    note_repairs(part.name, d->outline);
     drawn_.push_back(d);
     update();
 }
@@ -186,11 +191,53 @@ void Model::refine(const RefineSkeleton& call) {
 void Model::simplify(Drawn& d, int branch, double threshold) const {
     if (branch < 0) d.skeleton.branch_thresholds.clear();
     d.skeleton.branch_thresholds[std::max(branch, -1)] = threshold;
-    extract(d);
+    d.unit = 0; // simplified anew
+}
+
+double Model::diagonal() const {
+    Vec3 low{}, high{};
+    bool any = false;
+    for (const auto& d : drawn_)
+        for (const bool copy : {false, true}) {
+            if (copy && d->stroke.symmetry == Symmetry::none) continue;
+            const Frame frame = copy ? mirrored(d->frame, d->stroke.symmetry) : d->frame;
+            for (const Point2d& corner : d->outline.corners) {
+                const Vec3 p = to_model(frame, corner);
+                low = any ? Vec3{std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)} : p;
+                high = any ? Vec3{std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)} : p;
+                any = true;
+            }
+        }
+    return distance(low, high);
+}
+
+// Thresholds are shares of the whole model, so all parts may have to be simplified anew.
+void Model::simplify_all(double whole) {
+    for (auto& shared : drawn_) {
+        const double unit = options_.per_part ? shared->diagonal : whole / length(shared->frame.right);
+        if (shared->unit == unit) continue;
+        Drawn& d = own(shared);
+        d.unit = unit;
+        d.flat = sub_skeleton(*d.axis, unit, d.skeleton);
+    }
+}
+
+// Whether a bone between two places of a part's plane stays inside its outline.
+bool Model::stays_inside(int part, Vec3 from, Vec3 to) const {
+    const Frame& frame = parts_[part].frame;
+    const double square = dot(frame.right, frame.right);
+    const auto on_canvas = [&](Vec3 p) {
+        return Point2d{dot(p - frame.origin, frame.right) / square,
+                       dot(p - frame.origin, frame.down) / square};
+    };
+    const std::vector<Point2d>& outline = parts_[part].flat.outline.corners;
+    return holds(outline, on_canvas(from)) && !leaves(outline, on_canvas(from), on_canvas(to));
 }
 
 // Everything that follows from more than one part.
 void Model::update() {
+    const double whole = diagonal();
+    simplify_all(whole);
     parts_.clear();
     drawn_of_.clear();
     std::vector<ParentWish> wishes;
@@ -208,9 +255,10 @@ void Model::update() {
         for (const bool copy : {false, true}) {
             if (copy && d.stroke.symmetry == Symmetry::none) continue;
             const Frame frame = copy ? mirrored(d.frame, d.stroke.symmetry) : d.frame;
-            const double diagonal = d.diagonal * length(frame.right);
+            const double unit = options_.per_part ? d.diagonal * length(frame.right) : whole;
             trees.push_back(in_space(d.flat, frame, d.stroke.height, static_cast<int>(parts_.size())));
-            limits.push_back({shares.prune * diagonal, shares.merge * diagonal, shares.collapse * diagonal});
+            limits.push_back(times(shares, unit));
+            limits.back().least_bone = shares.least_bone * whole;
             wishes.push_back({parent, copy ? original : -1});
             parts_.push_back({d.stroke, copy, frame, d.flat, -1});
             drawn_of_.push_back(static_cast<int>(i));
@@ -218,13 +266,22 @@ void Model::update() {
     }
     connection_ = connect(trees, wishes);
     for (std::size_t p = 0; p < parts_.size(); ++p) parts_[p].parent = connection_.attachments[p].parent;
-    skeleton_ = rooted(pantin::refine(connection_.tree, limits));
+    const auto inside = [this](int part, Vec3 from, Vec3 to) { return stays_inside(part, from, to); };
+    skeleton_ = rooted(pantin::refine(connection_.tree, limits, inside));
+}
+
+ThresholdRanges Model::ranges() const {
+    ThresholdRanges ranges = threshold_ranges(connection_.tree);
+    const double whole = diagonal();
+    for (ThresholdRange* range : {&ranges.merge, &ranges.prune, &ranges.collapse})
+        if (whole > 0) *range = {range->least / whole, range->most / whole};
+    return ranges;
 }
 
 const Inflation& Model::inflation_of(int part) {
     Drawn& d = *drawn_[drawn_of_[part]];
     if (!d.inflation) {
-        d.inflation = std::make_shared<Inflation>(inflate(d.stroke.stroke, options_.inflation));
+        d.inflation = std::make_shared<Inflation>(inflate(d.outline, options_.inflation));
     }
     return *d.inflation;
 }

@@ -2,9 +2,10 @@
 // Ma et al. 2021, section 3.1: straight skeleton of a part, cleaned and simplified.
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 #include "geometry/extent.hpp"
+#include "modeling/axis_tree.hpp"
 #include "modeling/chains.hpp"
 #include "pantin/geometry.hpp"
 #include "pantin/modeling.hpp"
@@ -15,80 +16,85 @@ namespace {
 
 constexpr int slices_a_diagonal = 100; // samples along a branch as long as the stroke's diagonal
 constexpr double widest_slice = 2; // of the distance to the border: beyond, a slice runs into another branch
-constexpr int spline_steps = 8;    // points of the spline between two nodes, before it is sliced evenly
+constexpr double least_edge = 0.005; // of the diagonal: shorter edges are collapsed whatever the mean is
+constexpr int spline_steps = 8;      // points of the spline between two nodes, before it is sliced evenly
 
-// A tree of joints, some of which may be gone.
-struct Tree {
-    std::vector<SubSkeleton::Joint> joints;
-    std::vector<std::vector<int>> neighbours;
-
-    void join(int a, int b) {
-        neighbours[a].push_back(b);
-        neighbours[b].push_back(a);
-    }
-    // `gone` becomes `kept`, which moves to `place`.
-    void merge(int kept, int gone, const SubSkeleton::Joint& joint) {
-        std::erase(neighbours[kept], gone);
-        for (const int n : neighbours[gone]) {
-            if (n == kept) continue;
-            std::replace(neighbours[n].begin(), neighbours[n].end(), gone, kept);
-            neighbours[kept].push_back(n);
-        }
-        neighbours[gone].clear();
-        joints[kept] = joint;
-    }
-};
-
-// What is left of the straight skeleton without the arcs that begin at the outline.
-Tree inner_tree(const StraightSkeleton& skeleton) {
-    const int border = static_cast<int>(skeleton.corners.size());
-    Tree tree;
-    for (std::size_t n = border; n < skeleton.nodes.size(); ++n)
-        tree.joints.push_back({skeleton.nodes[n].place, skeleton.nodes[n].time});
-    tree.neighbours.resize(tree.joints.size());
-    for (const StraightSkeleton::Arc& arc : skeleton.arcs)
-        if (arc.from >= border && arc.to >= border) tree.join(arc.from - border, arc.to - border);
-    return tree;
-}
-
-// From p along the unit vector to the border, at most `farthest`.
-double reach(const std::vector<Point2d>& outline, Point2d p, Point2d direction, double farthest) {
-    double nearest = farthest;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Point2d a = outline[i], v = outline[(i + 1) % outline.size()] - a;
-        const double sine = cross(direction, v);
-        if (sine == 0) continue;
-        const double s = cross(a - p, v) / sine, t = cross(a - p, direction) / sine;
-        if (s >= 0 && t >= 0 && t <= 1) nearest = std::min(nearest, s);
-    }
-    return nearest;
-}
-
-// Whether the way from a to b, a inside, touches the border.
-bool leaves(const std::vector<Point2d>& outline, Point2d a, Point2d b) {
-    const double span = distance(a, b);
-    return span > 0 && reach(outline, a, (1 / span) * (b - a), 2 * span) <= span;
-}
 bool leaves(const std::vector<Point2d>& outline, const std::vector<Point2d>& line) {
     for (std::size_t i = 1; i < line.size(); ++i)
         if (leaves(outline, line[i - 1], line[i])) return true;
     return false;
 }
 
+// Whether all of a tree lies inside the border.
+bool lies_inside(const AxisTree& tree, const std::vector<Point2d>& outline) {
+    for (int a = 0; a < std::ssize(tree.joints); ++a) {
+        if (!holds(outline, tree.joints[a].place)) return false;
+        for (const int b : tree.neighbours[a])
+            if (a < b && leaves(outline, tree.joints[a].place, tree.joints[b].place)) return false;
+    }
+    return true;
+}
+
 // Whether a joint that takes the place of another one keeps the bones to the other's neighbours inside.
-bool can_take_over(const Tree& tree, const std::vector<Point2d>& outline, int kept, int gone) {
+bool can_take_over(const AxisTree& tree, const std::vector<Point2d>& outline, int kept, int gone) {
     return std::none_of(tree.neighbours[gone].begin(), tree.neighbours[gone].end(), [&](int n) {
         return n != kept && leaves(outline, tree.joints[kept].place, tree.joints[n].place);
     });
 }
 
-// Collapses the edges shorter than the share of the mean edge, shortest first. Of two joints the wider one
-// stays where it is. False when there was none.
-bool collapse_short_edges(Tree& tree, const std::vector<Point2d>& outline, double share) {
-    struct Edge {
-        double length;
-        int a, b;
+// Whether every corner hangs together with the others. Where many corners meet in one instant, as in an exact
+// cross, the straight skeleton can fall apart.
+bool is_whole(const StraightSkeleton& skeleton) {
+    std::vector<int> group(skeleton.nodes.size());
+    std::iota(group.begin(), group.end(), 0);
+    const auto root = [&](int n) {
+        while (group[n] != n) n = group[n] = group[group[n]];
+        return n;
     };
+    for (const StraightSkeleton::Arc& arc : skeleton.arcs) group[root(arc.from)] = root(arc.to);
+    for (int c = 1; c < std::ssize(skeleton.corners); ++c)
+        if (root(c) != root(0)) return false;
+    return true;
+}
+
+// Of the polygon, or of one whose corners lie a little beside its own, so that few meet in one instant.
+StraightSkeleton whole_skeleton(const std::vector<Point2d>& polygon) {
+    constexpr double aside = 1e-6; // of the diagonal
+    constexpr int tries = 3, places = 7;
+    StraightSkeleton skeleton = straight_skeleton({polygon});
+    std::vector<Point2d> shaken = polygon;
+    for (int round = 1; round <= tries && !is_whole(skeleton); ++round) {
+        const double step = aside * diagonal_of(polygon) / places;
+        for (int i = 0; i < std::ssize(shaken); ++i)
+            shaken[i] =
+                polygon[i] + step * Point2d{(i * 3 + round) % places - 3.0, (i * 5 + round) % places - 3.0};
+        skeleton = straight_skeleton({shaken});
+    }
+    return skeleton;
+}
+
+// On a coarser outline, the coarsest whose axis stays inside the outline itself.
+AxisTree axis_inside(const std::vector<Point2d>& outline, const SubSkeletonOptions& options) {
+    constexpr int tries = 6;
+    const auto axis = [&](const std::vector<Point2d>& polygon) {
+        const StraightSkeleton skeleton = whole_skeleton(polygon);
+        return options.printed_axis ? printed_axis(skeleton) : contributing_axis(skeleton);
+    };
+    double tolerance = options.coarsest * diagonal_of(outline);
+    for (int k = 0; k < tries; ++k, tolerance *= 0.5) {
+        AxisTree tree = axis(coarser_polygon(outline, tolerance));
+        if (lies_inside(tree, outline)) return tree;
+    }
+    return axis(outline);
+}
+
+struct Edge {
+    double length;
+    int a, b;
+};
+
+// Those shorter than the limit and those without length, shortest first.
+std::vector<Edge> short_edges(const AxisTree& tree, double share, double least) {
     std::vector<Edge> edges;
     double sum = 0;
     for (int a = 0; a < std::ssize(tree.joints); ++a)
@@ -97,16 +103,31 @@ bool collapse_short_edges(Tree& tree, const std::vector<Point2d>& outline, doubl
                 edges.push_back({distance(tree.joints[a].place, tree.joints[b].place), a, b});
                 sum += edges.back().length;
             }
-    const double limit = edges.empty() ? 0 : share * sum / static_cast<double>(edges.size());
+    const double limit = edges.empty() ? 0 : std::max(least, share * sum / static_cast<double>(edges.size()));
     std::erase_if(edges, [limit](const Edge& e) { return e.length >= limit && e.length > 0; });
     std::stable_sort(edges.begin(), edges.end(),
                      [](const Edge& e, const Edge& f) { return e.length < f.length; });
+    return edges;
+}
+
+// Collapses the edges shorter than the share of the mean edge, shortest first. Of two joints the wider one
+// stays where it is, but an end before a joint between two edges; a branch of one edge longer than `least`
+// that ends stays. False when there was none.
+bool collapse_short_edges(AxisTree& tree, const std::vector<Point2d>& outline, double share, double least) {
     std::vector<char> touched(tree.joints.size());
     bool any = false;
-    for (const Edge& e : edges) {
+    for (const Edge& e : short_edges(tree, share, least)) {
         if (touched[e.a] || touched[e.b]) continue;
-        const bool first = tree.joints[e.a].radius >= tree.joints[e.b].radius;
-        if (!can_take_over(tree, outline, first ? e.a : e.b, first ? e.b : e.a)) continue;
+        const std::size_t at_a = tree.neighbours[e.a].size(), at_b = tree.neighbours[e.b].size();
+        bool first = tree.joints[e.a].radius >= tree.joints[e.b].radius;
+        if ((at_a == 1) != (at_b == 1)) {
+            if (std::max(at_a, at_b) > 2 && e.length >= least) continue;
+            if (std::max(at_a, at_b) == 2) first = at_a == 1;
+        }
+        if (!can_take_over(tree, outline, first ? e.a : e.b, first ? e.b : e.a)) {
+            first = !first;
+            if (!can_take_over(tree, outline, first ? e.a : e.b, first ? e.b : e.a)) continue;
+        }
         touched[e.a] = touched[e.b] = 1;
         tree.merge(e.a, e.b, tree.joints[first ? e.a : e.b]);
         any = true;
@@ -130,24 +151,18 @@ std::vector<Point2d> spline(const std::vector<Point2d>& points) {
     return line;
 }
 
-// The distance to the border, where a new joint comes to lie.
-double radius_at(const std::vector<Point2d>& outline, Point2d p) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Point2d a = outline[i], v = outline[(i + 1) % outline.size()] - a;
-        const double t = std::clamp(dot(p - a, v) / std::max(dot(v, v), 1e-300), 0.0, 1.0);
-        nearest = std::min(nearest, distance(p, a + t * v));
-    }
-    return nearest;
-}
-
 Cylinder cylinder_of(const std::vector<Point2d>& outline, const std::vector<Point2d>& branch,
                      double diagonal) {
     std::vector<Point2d> line = spline(branch);
     if (leaves(outline, line)) line = branch;
-    const int count =
+    int count =
         std::max(3, 1 + static_cast<int>(std::ceil(slices_a_diagonal * polyline_length(line) / diagonal)));
+    constexpr int most_slices = 2000;
     Cylinder cylinder{resample(line, count), {}, {}};
+    while (count < most_slices && leaves(outline, cylinder.axis)) { // cut a corner of the axis
+        count *= 2;
+        cylinder.axis = resample(line, count);
+    }
     for (int i = 0; i < count; ++i) {
         const Point2d way = cylinder.axis[std::min(i + 1, count - 1)] - cylinder.axis[std::max(i - 1, 0)];
         const double size = length(way);
@@ -157,6 +172,23 @@ Cylinder cylinder_of(const std::vector<Point2d>& outline, const std::vector<Poin
         cylinder.right.push_back(reach(outline, cylinder.axis[i], -1 * across, farthest));
     }
     return cylinder;
+}
+
+// Slices in a junction's disc belong to the junction: there the sides go on as they do beyond it.
+void leave_out(Cylinder& cylinder, const SubSkeleton::Joint& junction) {
+    const int count = static_cast<int>(cylinder.axis.size());
+    const bool at_front = cylinder.axis.front() == junction.place;
+    const auto slice = [&](int i) { return at_front ? i : count - 1 - i; };
+    int first = 0;
+    while (first + 1 < count && distance(cylinder.axis[slice(first)], junction.place) < junction.radius)
+        ++first;
+    const int next = std::min(2 * first, count - 1); // as far beyond
+    for (std::vector<double>* side : {&cylinder.left, &cylinder.right}) {
+        const double width = (*side)[slice(first)];
+        const double slope = next > first ? ((*side)[slice(next)] - width) / (next - first) : 0;
+        for (int i = 0; i < first; ++i)
+            (*side)[slice(i)] = std::clamp(width - slope * (first - i), 0.5 * width, 2 * width);
+    }
 }
 
 // The thresholds that are tried are those of one ladder, options.threshold times powers of the factor,
@@ -182,13 +214,13 @@ double threshold_of(int branch, const SubSkeletonOptions& options) {
 }
 
 // Algorithm 2: the threshold is lowered while a bone leaves the shape.
-std::vector<int> simplified(const Cylinder& cylinder, const std::vector<Point2d>& outline, double diagonal,
+std::vector<int> simplified(const Cylinder& cylinder, const std::vector<Point2d>& outline, double unit,
                             double wanted, const SubSkeletonOptions& options) {
     std::vector<int> kept(cylinder.axis.size());
     for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = static_cast<int>(i); // inside, whatever comes
     for (double threshold = first_threshold(wanted, options); threshold > options.least_threshold;
          threshold *= options.threshold_factor) {
-        const std::vector<int> fewer = bounded_dp(cylinder, threshold * diagonal, options.shape_weight);
+        const std::vector<int> fewer = bounded_dp(cylinder, threshold * unit, options.shape_weight);
         std::vector<Point2d> line;
         for (const int i : fewer) line.push_back(cylinder.axis[i]);
         if (!leaves(outline, line)) return fewer;
@@ -198,48 +230,80 @@ std::vector<int> simplified(const Cylinder& cylinder, const std::vector<Point2d>
 
 } // namespace
 
-SubSkeleton sub_skeleton(const std::vector<Point2d>& stroke, const SubSkeletonOptions& options) {
-    SubSkeleton result;
-    result.outline = simple_polygon(stroke, options.polygon);
-    const std::vector<Point2d>& outline = result.outline.corners;
+PartAxis part_axis(const SimplePolygon& polygon, const SubSkeletonOptions& options) {
+    PartAxis axis;
+    axis.outline = polygon;
+    const std::vector<Point2d>& outline = axis.outline.corners;
     const double diagonal = diagonal_of(outline);
-    Tree tree = inner_tree(straight_skeleton({outline}));
+    AxisTree tree = axis_inside(outline, options);
+    const double least = options.printed_axis ? 0 : least_edge * diagonal;
     for (int round = 0;
-         round < options.collapse_rounds && collapse_short_edges(tree, outline, options.collapse); ++round) {
+         round < options.collapse_rounds && collapse_short_edges(tree, outline, options.collapse, least);
+         ++round) {
     }
-    std::vector<int> number(tree.joints.size(), -1); // of junctions and ends, in the result
+    while (collapse_short_edges(tree, outline, 0, least)) {
+    }
+    std::vector<int> number(tree.joints.size(), -1);
     const auto joint = [&](int j) {
         if (number[j] < 0) {
-            number[j] = static_cast<int>(result.joints.size());
-            result.joints.push_back({tree.joints[j].place, radius_at(outline, tree.joints[j].place)});
+            number[j] = static_cast<int>(axis.joints.size());
+            axis.joints.push_back({tree.joints[j].place, radius_at(outline, tree.joints[j].place)});
         }
         return number[j];
     };
-    for (const std::vector<int>& branch : chains_of(tree.neighbours)) {
+    for (const std::vector<int>& chain : chains_of(tree.neighbours)) {
         std::vector<Point2d> points;
-        for (const int j : branch) points.push_back(tree.joints[j].place);
-        const Cylinder cylinder = cylinder_of(outline, points, diagonal);
+        for (const int j : chain) points.push_back(tree.joints[j].place);
+        PartAxis::Branch branch{joint(chain.front()), joint(chain.back()),
+                                cylinder_of(outline, points, diagonal)};
+        for (const int end : {chain.front(), chain.back()})
+            if (!options.printed_axis && tree.neighbours[end].size() > 2)
+                leave_out(branch.cylinder, axis.joints[number[end]]);
+        axis.branches.push_back(std::move(branch));
+    }
+    if (axis.joints.empty() && !tree.joints.empty()) { // a disc: one joint
+        const auto widest =
+            std::max_element(tree.joints.begin(), tree.joints.end(),
+                             [](const auto& a, const auto& b) { return a.radius < b.radius; });
+        axis.joints.push_back({widest->place, radius_at(outline, widest->place)});
+    }
+    return axis;
+}
+
+SubSkeleton sub_skeleton(const PartAxis& axis, double unit, const SubSkeletonOptions& options) {
+    SubSkeleton result;
+    result.outline = axis.outline;
+    const std::vector<Point2d>& outline = result.outline.corners;
+    std::vector<int> number(axis.joints.size(), -1);
+    const auto joint = [&](int j) {
+        if (number[j] < 0) {
+            number[j] = static_cast<int>(result.joints.size());
+            result.joints.push_back(axis.joints[j]);
+        }
+        return number[j];
+    };
+    for (const PartAxis::Branch& branch : axis.branches) {
         const double threshold = threshold_of(static_cast<int>(result.branches.size()), options);
-        const std::vector<int> kept = simplified(cylinder, outline, diagonal, threshold, options);
-        int before = joint(branch.front());
+        const std::vector<int> kept = simplified(branch.cylinder, outline, unit, threshold, options);
+        int before = joint(branch.from);
         result.branches.push_back({before});
         for (std::size_t i = 1; i + 1 < kept.size(); ++i) {
-            const Point2d place = cylinder.axis[kept[i]];
+            const Point2d place = branch.cylinder.axis[kept[i]];
             result.joints.push_back({place, radius_at(outline, place)});
             result.bones.emplace_back(before, static_cast<int>(result.joints.size()) - 1);
             before = static_cast<int>(result.joints.size()) - 1;
             result.branches.back().push_back(before);
         }
-        result.bones.emplace_back(before, joint(branch.back()));
+        result.bones.emplace_back(before, joint(branch.to));
         result.branches.back().push_back(result.bones.back().second);
     }
-    if (result.joints.empty() && !tree.joints.empty()) { // a triangle, a disc: one joint
-        const auto widest =
-            std::max_element(tree.joints.begin(), tree.joints.end(),
-                             [](const auto& a, const auto& b) { return a.radius < b.radius; });
-        result.joints.push_back(*widest);
-    }
+    if (axis.branches.empty()) result.joints = axis.joints;
     return result;
+}
+
+SubSkeleton sub_skeleton(const std::vector<Point2d>& stroke, const SubSkeletonOptions& options) {
+    const PartAxis axis = part_axis(simple_polygon(stroke, options.polygon), options);
+    return sub_skeleton(axis, diagonal_of(axis.outline.corners), options);
 }
 
 } // namespace pantin

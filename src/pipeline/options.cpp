@@ -136,8 +136,10 @@ template <class Visitor> void visit_identification(IdentificationOptions& o, Vis
 }
 
 template <class Visitor> void visit_modeling(ModelOptions& o, Visitor& visit) {
-    visit("modeling.samples", o.skeleton.polygon.samples, 0, 100000);
-    visit("modeling.tolerance", o.skeleton.polygon.tolerance, 0, 1);
+    visit("modeling.samples", o.inflation.polygon.samples, 0, 100000);
+    visit("modeling.tolerance", o.skeleton.coarsest, 0, 1);
+    visit("modeling.printed_axis", o.skeleton.printed_axis);
+    visit("modeling.per_part", o.per_part);
     visit("modeling.first_collapse", o.skeleton.collapse, 0, 1);
     visit("modeling.simplify", o.skeleton.threshold, 0.0001, 1.0);
     visit("modeling.simplify_factor", o.skeleton.threshold_factor, 0.01, 0.99);
@@ -145,6 +147,7 @@ template <class Visitor> void visit_modeling(ModelOptions& o, Visitor& visit) {
     visit("modeling.prune", o.refinement.prune, 0, 10);
     visit("modeling.merge", o.refinement.merge, 0, 10);
     visit("modeling.collapse", o.refinement.collapse, 0, 10);
+    visit("modeling.least_bone", o.refinement.least_bone, 0, 1);
     visit("modeling.longest_edge", o.inflation.longest_edge, 0.005, 1.0);
 }
 
