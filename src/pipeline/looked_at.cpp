@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
+#include "geometry/extent.hpp"
 #include "pantin/detection.hpp"
 #include "pantin/image.hpp"
 #include "pipeline/drawing_look.hpp"
@@ -15,7 +17,8 @@
 namespace pantin {
 namespace {
 
-constexpr int view_side = 500; // pixels of the view in which parts in space are looked at
+constexpr double least_trunk = 0.8; // share of the trunk's pieces that the largest one has
+constexpr int view_side = 500;      // pixels of the view in which parts in space are looked at
 
 // Everything in the plane of the canvas, seen from the front, as any drawing is.
 bool is_flat(const Strokes& strokes) {
@@ -84,10 +87,28 @@ Strokes labelled_in_view(Strokes strokes, Context& context) {
 
 } // namespace
 
+namespace {
+
+// A cut that makes scraps of the trunk is no way to see parts in the drawing (a heart, a plain square).
+bool holds_together(const Strokes& cut) {
+    double largest = 0, all = 0;
+    for (const PartStroke* part : parts_of(cut))
+        if (part->label == Label::body) {
+            const double area = std::abs(area_of(part->stroke));
+            largest = std::max(largest, area);
+            all += area;
+        }
+    return largest >= least_trunk * all;
+}
+
+} // namespace
+
 bool needs_a_look(const Strokes& strokes) {
     std::set<Label> labels;
     for (const PartStroke* part : parts_of(strokes)) labels.insert(told(*part));
     const bool open = labels.erase(Label::background) > 0;
+    // Strokes that were drawn as parts are parts, be it one alone; a painting's paths may be anything.
+    if (!open && strokes.painting.empty()) return false;
     return labels.size() < 2 ? open || is_flat(strokes) : open && is_flat(strokes);
 }
 
@@ -123,6 +144,14 @@ LabelledStrokes labelled_by_look(const Strokes& strokes, const std::string& name
     }
     overrule(look, parts_of(strokes));
     result.strokes = strokes_from_labels(look.picture.labels);
+    if (parts_of(strokes).size() == 1 && !holds_together(result.strokes)) {
+        result.strokes = strokes;
+        auto& whole = std::get<PartStroke>(result.strokes.calls.front());
+        if (told(whole) == Label::background) whole.label = Label::body;
+        result.strokes.repairs.emplace_back("the part network sees no parts that hold together: left whole");
+        result.painted = !strokes.painting.empty();
+        return result;
+    }
     result.strokes.repairs = strokes.repairs;
     result.strokes.repairs.emplace_back("no names tell the parts: cut out of the whole by the part network");
     result.picture = std::move(look.picture);
