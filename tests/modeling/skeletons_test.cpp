@@ -198,9 +198,9 @@ Line turned(Line line, double angle) {
 // The joints of a stroke that was turned, turned back.
 Line places(const Line& stroke, double angle) {
     Line line;
-    for (const auto& joint : model_of(stroke).skeleton().joints)
-        line.push_back({joint.place.x, -joint.place.y});
-    return turned(line, 2 * math::pi - angle);
+    const Model model = model_of(stroke);
+    for (const auto& joint : model.skeleton().joints) line.push_back({joint.place.x, -joint.place.y});
+    return turned(line, -angle);
 }
 // The farthest that a joint of the skeleton with fewer of them is from the nearest one of the other.
 double apart(const Line& a, const Line& b) {
