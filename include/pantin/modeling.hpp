@@ -66,6 +66,7 @@ struct PartAxis {
     SimplePolygon outline;
     std::vector<SubSkeleton::Joint> joints; // ends and junctions
     std::vector<Branch> branches;
+    std::vector<SubSkeleton::Joint> discs; // at all nodes of the straight skeleton: they cover the shape
 };
 // Straight skeleton within an outline as simple_polygon() gives it, what of it is the axis, short edges
 // collapsed; every branch is smoothed by a spline and sliced evenly. What is found on a coarser outline
@@ -118,7 +119,9 @@ struct ParentWish {
 // joined: on the bone (bone-split event) when the foot of the perpendicular lies inside it, else at its
 // nearer end (joint-connect event). wishes[i] is about part i and names earlier parts. Canvas
 // units. No error. RealSkel 3.2 (errata 25 to 27).
-Connection connect(const std::vector<JointTree>& parts, const std::vector<ParentWish>& wishes);
+// balls: per part what it consists of besides the balls and cylinders of its tree; none: no part has more.
+Connection connect(const std::vector<JointTree>& parts, const std::vector<ParentWish>& wishes,
+                   const std::vector<std::vector<JointTree::Joint>>& balls = {});
 
 // --- refinement (3.3) --------------------------------------------------------------------------------------
 

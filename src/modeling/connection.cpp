@@ -38,8 +38,11 @@ struct Nearest {
 
 class Connector {
 public:
-    Connector(const std::vector<JointTree>& parts, const std::vector<ParentWish>& wishes)
-        : parts_(parts), wishes_(wishes) {}
+    Connector(const std::vector<JointTree>& parts, const std::vector<ParentWish>& wishes,
+              const std::vector<std::vector<JointTree::Joint>>& balls)
+        : parts_(parts), wishes_(wishes), balls_(balls) {
+        balls_.resize(parts.size());
+    }
 
     Connection run() {
         for (int part = 0; part < std::ssize(parts_); ++part) {
@@ -91,6 +94,8 @@ private:
                 const Foot foot = foot_of(p, a.place, c.place);
                 if (foot.inside) offer(joint, foot, a.radius + foot.share * (c.radius - a.radius), b, -1);
             }
+            for (const JointTree::Joint& ball : balls_[parent])
+                best.gap = std::min(best.gap, distance(p, ball.place) - ball.radius);
         }
         return best;
     }
@@ -113,6 +118,9 @@ private:
         };
         against(parts_[child], parts_[parent]);
         against(parts_[parent], parts_[child]);
+        for (const JointTree::Joint& ball : balls_[child])
+            for (const JointTree::Joint& other : balls_[parent])
+                least = std::min(least, distance(ball.place, other.place) - ball.radius - other.radius);
         return least;
     }
 
@@ -176,13 +184,15 @@ private:
 
     const std::vector<JointTree>& parts_;
     const std::vector<ParentWish>& wishes_;
+    std::vector<std::vector<JointTree::Joint>> balls_;
     Connection connected_;
 };
 
 } // namespace
 
-Connection connect(const std::vector<JointTree>& parts, const std::vector<ParentWish>& wishes) {
-    return Connector(parts, wishes).run();
+Connection connect(const std::vector<JointTree>& parts, const std::vector<ParentWish>& wishes,
+                   const std::vector<std::vector<JointTree::Joint>>& balls) {
+    return Connector(parts, wishes, balls).run();
 }
 
 } // namespace pantin

@@ -39,14 +39,14 @@ RefinementOptions with(RefinementOptions options, const RefineSkeleton& asked) {
     return options;
 }
 
-// The flat skeleton in the model; balls between the width in the plane and the thickness.
-JointTree in_space(const SubSkeleton& flat, const Frame& frame, double height, int part) {
+// Discs of the plane in the model: balls between the width in the plane and the thickness.
+std::vector<JointTree::Joint> in_space(const std::vector<SubSkeleton::Joint>& discs, const Frame& frame,
+                                       double height, int part) {
     const double scale = length(frame.right) * 0.5 * (1 + height);
-    JointTree tree;
-    for (const SubSkeleton::Joint& joint : flat.joints)
-        tree.joints.push_back({to_model(frame, joint.place), scale * joint.radius, part});
-    tree.bones = flat.bones;
-    return tree;
+    std::vector<JointTree::Joint> balls;
+    for (const SubSkeleton::Joint& disc : discs)
+        balls.push_back({to_model(frame, disc.place), scale * disc.radius, part});
+    return balls;
 }
 
 } // namespace
@@ -242,6 +242,7 @@ void Model::update() {
     drawn_of_.clear();
     std::vector<ParentWish> wishes;
     std::vector<JointTree> trees;
+    std::vector<std::vector<JointTree::Joint>> balls;
     std::vector<RefinementOptions> limits;
     const auto part_of = [&](const std::string& name) {
         for (std::size_t p = 0; p < parts_.size(); ++p)
@@ -256,7 +257,9 @@ void Model::update() {
             if (copy && d.stroke.symmetry == Symmetry::none) continue;
             const Frame frame = copy ? mirrored(d.frame, d.stroke.symmetry) : d.frame;
             const double unit = options_.per_part ? d.diagonal * length(frame.right) : whole;
-            trees.push_back(in_space(d.flat, frame, d.stroke.height, static_cast<int>(parts_.size())));
+            const int part = static_cast<int>(parts_.size());
+            trees.push_back({in_space(d.flat.joints, frame, d.stroke.height, part), d.flat.bones});
+            balls.push_back(in_space(d.axis->discs, frame, d.stroke.height, part));
             limits.push_back(times(shares, unit));
             limits.back().least_bone = shares.least_bone * whole;
             wishes.push_back({parent, copy ? original : -1});
@@ -264,7 +267,7 @@ void Model::update() {
             drawn_of_.push_back(static_cast<int>(i));
         }
     }
-    connection_ = connect(trees, wishes);
+    connection_ = connect(trees, wishes, balls);
     for (std::size_t p = 0; p < parts_.size(); ++p) parts_[p].parent = connection_.attachments[p].parent;
     const auto inside = [this](int part, Vec3 from, Vec3 to) { return stays_inside(part, from, to); };
     skeleton_ = rooted(pantin::refine(connection_.tree, limits, inside));

@@ -74,10 +74,15 @@ StraightSkeleton whole_skeleton(const std::vector<Point2d>& polygon) {
 }
 
 // On a coarser outline, the coarsest whose axis stays inside the outline itself.
-AxisTree axis_inside(const std::vector<Point2d>& outline, const SubSkeletonOptions& options) {
+// `nodes`: of that straight skeleton.
+AxisTree axis_inside(const std::vector<Point2d>& outline, const SubSkeletonOptions& options,
+                     std::vector<Point2d>& nodes) {
     constexpr int tries = 6;
     const auto axis = [&](const std::vector<Point2d>& polygon) {
         const StraightSkeleton skeleton = whole_skeleton(polygon);
+        nodes.clear();
+        for (std::size_t n = skeleton.corners.size(); n < skeleton.nodes.size(); ++n)
+            nodes.push_back(skeleton.nodes[n].place);
         return options.printed_axis ? printed_axis(skeleton) : contributing_axis(skeleton);
     };
     double tolerance = options.coarsest * diagonal_of(outline);
@@ -235,7 +240,10 @@ PartAxis part_axis(const SimplePolygon& polygon, const SubSkeletonOptions& optio
     axis.outline = polygon;
     const std::vector<Point2d>& outline = axis.outline.corners;
     const double diagonal = diagonal_of(outline);
-    AxisTree tree = axis_inside(outline, options);
+    std::vector<Point2d> places;
+    AxisTree tree = axis_inside(outline, options, places);
+    for (const Point2d p : places)
+        if (holds(outline, p)) axis.discs.push_back({p, radius_at(outline, p)});
     const double least = options.printed_axis ? 0 : least_edge * diagonal;
     for (int round = 0;
          round < options.collapse_rounds && collapse_short_edges(tree, outline, options.collapse, least);
