@@ -25,6 +25,10 @@ Foot foot_of(Vec3 p, Vec3 a, Vec3 b) {
     return {distance(p, a + share * along), share, inside};
 }
 
+// Balls and cylinders leave the corners of a part free, and parts may meet there alone: balls that are nearer
+// than this share of the part's widest one meet, too.
+constexpr double corner_reach = 0.25;
+
 struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
     double gap = std::numeric_limits<double>::infinity(); // to the surface of the balls and cylinders;
@@ -148,11 +152,17 @@ private:
                 std::tie(best, nearest) = std::tuple(other, found.distance);
         }
         if (best >= 0) return best;
-        nearest = 0;
+        nearest = corner_reach * widest_ball(part);
         for (int other = 0; other < part; ++other)
             if (const double gap = clearance(part, other); gap < nearest)
                 std::tie(best, nearest) = std::tuple(other, gap);
         return best;
+    }
+
+    double widest_ball(int part) const {
+        double widest = 0;
+        for (const JointTree::Joint& joint : parts_[part].joints) widest = std::max(widest, joint.radius);
+        return widest;
     }
 
     void add(int part, int first) {
