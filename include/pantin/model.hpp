@@ -36,7 +36,7 @@ struct InflationOptions {
 // stroke: canvas units. Error(input) as simple_polygon(). RealSkel 4.1 (errata 28).
 Inflation inflate(const std::vector<Point2d>& stroke, const InflationOptions& options = {});
 // The same within an outline as simple_polygon() gives it: skeleton and surface of a part share one.
-Inflation inflate(const SimplePolygon& outline, const InflationOptions& options = {});
+Inflation inflate(const PartOutline& outline, const InflationOptions& options = {});
 
 // --- surfaces ----------------------------------------------------------------------------------------------
 
@@ -141,7 +141,7 @@ private:
     void check_new(const PartStroke& part) const;
     void simplify_all(double whole);
     bool stays_inside(int part, Vec3 from, Vec3 to) const;
-    void note_repairs(const std::string& part, const SimplePolygon& outline);
+    void note_repairs(const std::string& part, const SimplePolygon& outline, int holes_left_out);
     void simplify(Drawn& drawn, int branch, double threshold) const;
     void update();
     const Inflation& inflation_of(int part);

@@ -43,6 +43,7 @@ struct PartStroke {
     double height = 1;               // thickness; a long part of height 1 is round
     Label label = Label::background; // background: from the name
     std::optional<Rgb8> colour;
+    std::vector<std::vector<Point2d>> holes{}; // canvas; each as a stroke, inside it
     bool operator==(const PartStroke&) const = default;
 };
 

@@ -43,6 +43,23 @@ double perimeter_of(const std::vector<Point2d>& outline) {
     return sum;
 }
 
+// Half the width of a long part: area by perimeter, holes counted in both.
+double half_width_of(const PartOutline& outline) {
+    double area = std::abs(area_of(outline.corners)), perimeter = perimeter_of(outline.corners);
+    for (const std::vector<Point2d>& hole : outline.holes) {
+        area -= std::abs(area_of(hole));
+        perimeter += perimeter_of(hole);
+    }
+    return area / perimeter;
+}
+
+std::vector<Point2i> on_grid(const std::vector<Point2d>& line, const GridFrame& grid) {
+    std::vector<Point2i> loop;
+    for (const Point2d& p : line)
+        if (const Point2i q = grid.to_grid(p); loop.empty() || !(q == loop.back())) loop.push_back(q);
+    return loop;
+}
+
 // An edge inside that joins two points of the border would have front and back in one place. The refinement
 // leaves those that are too short for it, and a triangle alone.
 void split_chords(Inflation& mesh) {
@@ -136,19 +153,18 @@ Inflation inflate(const std::vector<Point2d>& stroke, const InflationOptions& op
     return inflate(simple_polygon(stroke, options.polygon), options);
 }
 
-Inflation inflate(const SimplePolygon& polygon, const InflationOptions& options) {
+Inflation inflate(const PartOutline& polygon, const InflationOptions& options) {
     const std::vector<Point2d>& outline = polygon.corners;
     const GridFrame grid(outline);
-    std::vector<Point2i> loop;
-    for (const Point2d& p : outline)
-        if (const Point2i q = grid.to_grid(p); loop.empty() || !(q == loop.back())) loop.push_back(q);
+    std::vector<std::vector<Point2i>> loops = {on_grid(outline, grid)};
+    for (const std::vector<Point2d>& hole : polygon.holes) loops.push_back(on_grid(hole, grid));
     const double diagonal = diagonal_of(outline);
     TriangleQuality quality;
-    const double width = std::abs(area_of(outline)) / perimeter_of(outline);
+    const double width = half_width_of(polygon);
     quality.longest_edge =
         grid.scale * std::clamp(1.4 * width, 0.012 * diagonal, options.longest_edge * diagonal);
     quality.shortest_edge = grid.scale * options.shortest_edge * diagonal;
-    const Triangulation triangulation = refined(constrained_delaunay({loop}), quality);
+    const Triangulation triangulation = refined(constrained_delaunay(loops), quality);
 
     Inflation result;
     result.half_width = width;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/plural.hpp"
 #include "geometry/extent.hpp"
 #include "modeling/axis_tree.hpp"
 #include "modeling/frames.hpp"
+#include "modeling/holes.hpp"
 #include "modeling/rooted.hpp"
 #include "pantin/error.hpp"
 #include "pantin/model.hpp"
@@ -57,7 +59,7 @@ struct Model::Drawn {
     Frame frame;                 // after all moves
     SubSkeletonOptions skeleton; // with what refine() asked for
     RefineSkeleton asked;        // for this part; otherwise the model's thresholds hold
-    SimplePolygon outline;       // of skeleton and surface: the stroke without its crossings
+    PartOutline outline;         // of skeleton and surface: the stroke without its crossings
     std::shared_ptr<const PartAxis> axis;
     double diagonal = 0, unit = 0; // of the outline; whose shares the thresholds are
     SubSkeleton flat;
@@ -102,7 +104,7 @@ void Model::check_new(const PartStroke& part) const {
     if (!std::isfinite(part.depth)) fail(part.name, "its depth is not a number");
 }
 
-void Model::note_repairs(const std::string& part, const SimplePolygon& outline) {
+void Model::note_repairs(const std::string& part, const SimplePolygon& outline, int holes_left_out) {
     const auto note = [&](const std::string& what) { repairs_.push_back("part '" + part + "': " + what); };
     const auto counted = [](int count, const std::string& what) {
         return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
@@ -111,6 +113,8 @@ void Model::note_repairs(const std::string& part, const SimplePolygon& outline) 
         note("the stroke crosses itself, " + counted(outline.joined, "lobe") + " joined by a neck");
     if (outline.cut > 0) note("the stroke crosses itself, " + counted(outline.cut, "loop") + " cut off");
     if (outline.uncrossed > 0) note("the strip crosses itself, its sides were exchanged there");
+    if (holes_left_out > 0)
+        note(count_of(holes_left_out, "hole") + " left out, not inside it or too near to another border");
 }
 
 void Model::add_part(const PartStroke& part) {
@@ -120,14 +124,16 @@ void Model::add_part(const PartStroke& part) {
     d->frame = frame_of(part.view, origin_, part.depth);
     check_range(part.name, d->frame);
     d->skeleton = options_.skeleton;
+    int left_out = 0;
     try {
         d->outline = simple_polygon(part.stroke, options_.inflation.polygon);
+        left_out = cut_holes(d->outline, part.holes, options_.inflation.polygon);
     } catch (const Error& error) {
         fail(part.name, error.what());
     }
     d->diagonal = diagonal_of(d->outline.corners);
     d->axis = std::make_shared<PartAxis>(part_axis(d->outline, options_.skeleton));
-    note_repairs(part.name, d->outline);
+    note_repairs(part.name, d->outline, left_out);
     drawn_.push_back(d);
     update();
 }
@@ -230,7 +236,7 @@ bool Model::stays_inside(int part, Vec3 from, Vec3 to) const {
         return Point2d{dot(p - frame.origin, frame.right) / square,
                        dot(p - frame.origin, frame.down) / square};
     };
-    const std::vector<Point2d>& outline = parts_[part].flat.outline.corners;
+    const PartOutline& outline = parts_[part].flat.outline;
     return holds(outline, on_canvas(from)) && !leaves(outline, on_canvas(from), on_canvas(to));
 }
 

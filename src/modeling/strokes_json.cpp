@@ -8,6 +8,7 @@
 
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
+#include "modeling/svg_outlines.hpp"
 #include "pantin/strokes.hpp"
 
 namespace pantin {
@@ -127,6 +128,15 @@ void tidy_stroke(std::vector<Point2d>& stroke, const JsonReader& reader, const s
     if (!has_three_points(stroke)) reader.fail("a stroke needs at least three points");
 }
 
+// Whether most of the line's points, or of some of them, lie in the stroke.
+bool lies_in(const std::vector<Point2d>& line, const std::vector<Point2d>& stroke) {
+    constexpr std::size_t probes = 64;
+    std::vector<Point2d> some;
+    const std::size_t n = std::min(probes, line.size());
+    for (std::size_t i = 0; i < n; ++i) some.push_back(line[i * line.size() / n]);
+    return share_inside(some, stroke) > 0.5;
+}
+
 class StrokesReader {
 public:
     explicit StrokesReader(const JsonReader& root) : root_(root) {}
@@ -134,7 +144,12 @@ public:
     Strokes read() {
         check_keys(root_, {"origin", "parts", "calls"});
         if (root_.has("parts"))
-            for (const JsonReader& item : root_.at("parts").elements()) read_part(item);
+            for (const JsonReader& item : root_.at("parts").elements()) {
+                if (item.has("hole") && item.at("hole").boolean())
+                    read_hole(item);
+                else
+                    read_part(item);
+            }
         if (root_.has("calls"))
             for (const JsonReader& item : root_.at("calls").elements()) read_call(item);
         if (!first_part_) root_.fail("holds no part");
@@ -169,15 +184,41 @@ private:
         // is in an SVG.
         const std::string place = "part " + in_quotes(part.name);
         const JsonReader reader(item.value(), item.file(), place);
-        check_keys(reader,
-                   {"name", "stroke", "depth", "view", "symmetric", "parent", "height", "label", "colour"});
+        check_keys(reader, {"name", "stroke", "holes", "hole", "depth", "view", "symmetric", "parent",
+                            "height", "label", "colour"});
+        if (reader.has("hole") && reader.at("hole").boolean())
+            reader.fail("a hole stands among `parts`, or in the `holes` of its part");
         if (parts_.contains(part.name)) reader.fail("there are two parts of this name");
-        for (const JsonReader& pair : reader.at("stroke").elements()) part.stroke.push_back(read_point(pair));
-        tidy_stroke(part.stroke, reader, place, strokes_.repairs);
+        part.stroke = read_stroke(reader.at("stroke"), reader, place);
+        if (reader.has("holes"))
+            for (const JsonReader& hole : reader.at("holes").elements())
+                part.holes.push_back(read_stroke(hole, reader, place + ", a hole"));
         read_attributes(reader, part);
         if (!first_part_) first_part_ = middle_of(part.stroke);
         know(part);
         strokes_.calls.emplace_back(std::move(part));
+    }
+    std::vector<Point2d> read_stroke(const JsonReader& points, const JsonReader& reader,
+                                     const std::string& place) {
+        std::vector<Point2d> stroke;
+        for (const JsonReader& pair : points.elements()) stroke.push_back(read_point(pair));
+        tidy_stroke(stroke, reader, place, strokes_.repairs);
+        return stroke;
+    }
+    // Of the latest part before it that is seen from the same side and holds it.
+    void read_hole(const JsonReader& item) {
+        const std::string place = item.has("name") ? "hole " + in_quotes(item.at("name").text()) : "a hole";
+        const JsonReader reader(item.value(), item.file(), place);
+        check_keys(reader, {"name", "stroke", "hole", "view"});
+        const Viewpoint view = reader.has("view") ? read_view(reader.at("view")) : Viewpoint::front;
+        std::vector<Point2d> stroke = read_stroke(reader.at("stroke"), reader, place);
+        for (auto call = strokes_.calls.rbegin(); call != strokes_.calls.rend(); ++call)
+            if (auto* part = std::get_if<PartStroke>(&*call);
+                part && part->view == view && lies_in(stroke, part->stroke)) {
+                part->holes.push_back(std::move(stroke));
+                return;
+            }
+        reader.fail("lies in no part before it");
     }
     void know(const PartStroke& part) {
         PartStroke& known = parts_[part.name];
@@ -303,6 +344,11 @@ Json json_of(const PartStroke& part) {
     item["name"] = part.name;
     item["stroke"] = Json::array();
     for (const Point2d p : part.stroke) item["stroke"].push_back(Json::array({p.x, p.y}));
+    for (const std::vector<Point2d>& hole : part.holes) {
+        Json line = Json::array();
+        for (const Point2d p : hole) line.push_back(Json::array({p.x, p.y}));
+        item["holes"].push_back(std::move(line));
+    }
     if (part.depth != 0) item["depth"] = part.depth;
     if (part.view != Viewpoint::front)
         item["view"] = std::string(view_names[static_cast<std::size_t>(part.view)]);
