@@ -9,6 +9,7 @@
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
 #include "modeling/svg_outlines.hpp"
+#include "modeling/thick_line.hpp"
 #include "pantin/strokes.hpp"
 
 namespace pantin {
@@ -109,15 +110,12 @@ void drop_repeated(std::vector<Point2d>& stroke) {
 }
 
 // `place` names the part.
-void tidy_stroke(std::vector<Point2d>& stroke, const JsonReader& reader, const std::string& place,
-                 std::vector<std::string>& repairs) {
+void tidy_line(std::vector<Point2d>& stroke, const std::string& place, std::vector<std::string>& repairs) {
     const std::size_t given = stroke.size();
     drop_repeated(stroke);
     if (const std::size_t gone = given - stroke.size())
         repairs.push_back(place + ": " + std::to_string(gone) + " repeated point" + (gone == 1 ? "" : "s") +
                           " dropped");
-    // A stroke that ends where it began says once more what holds of every stroke.
-    if (stroke.size() > 1 && stroke.front() == stroke.back()) stroke.pop_back();
     if (const std::size_t many = stroke.size(); many > most_points) {
         for (std::size_t i = 0; i < thinned_points; ++i) stroke[i] = stroke[i * many / thinned_points];
         stroke.resize(thinned_points);
@@ -125,6 +123,12 @@ void tidy_stroke(std::vector<Point2d>& stroke, const JsonReader& reader, const s
         repairs.push_back(place + ": " + std::to_string(many) + " points thinned to " +
                           std::to_string(stroke.size()));
     }
+}
+void tidy_stroke(std::vector<Point2d>& stroke, const JsonReader& reader, const std::string& place,
+                 std::vector<std::string>& repairs) {
+    tidy_line(stroke, place, repairs);
+    // A stroke that ends where it began says once more what holds of every stroke.
+    if (stroke.size() > 1 && stroke.front() == stroke.back()) stroke.pop_back();
     if (!has_three_points(stroke)) reader.fail("a stroke needs at least three points");
 }
 
@@ -184,12 +188,14 @@ private:
         // is in an SVG.
         const std::string place = "part " + in_quotes(part.name);
         const JsonReader reader(item.value(), item.file(), place);
-        check_keys(reader, {"name", "stroke", "holes", "hole", "depth", "view", "symmetric", "parent",
-                            "height", "label", "colour"});
+        check_keys(reader, {"name", "stroke", "closed", "width", "holes", "hole", "depth", "view",
+                            "symmetric", "parent", "height", "label", "colour"});
         if (reader.has("hole") && reader.at("hole").boolean())
             reader.fail("a hole stands among `parts`, or in the `holes` of its part");
         if (parts_.contains(part.name)) reader.fail("there are two parts of this name");
-        part.stroke = read_stroke(reader.at("stroke"), reader, place);
+        const bool open = reader.has("closed") && !reader.at("closed").boolean();
+        if (!open && reader.has("width")) reader.fail("only an open stroke (`closed`: false) has a width");
+        part.stroke = open ? read_tube(reader, place) : read_stroke(reader.at("stroke"), reader, place);
         if (reader.has("holes"))
             for (const JsonReader& hole : reader.at("holes").elements())
                 part.holes.push_back(read_stroke(hole, reader, place + ", a hole"));
@@ -204,6 +210,20 @@ private:
         for (const JsonReader& pair : points.elements()) stroke.push_back(read_point(pair));
         tidy_stroke(stroke, reader, place, strokes_.repairs);
         return stroke;
+    }
+    // The border of an open stroke of some width, with round ends.
+    std::vector<Point2d> read_tube(const JsonReader& reader, const std::string& place) {
+        if (!reader.has("width")) reader.fail("an open stroke needs a `width`");
+        if (reader.has("holes")) reader.fail("an open stroke has no holes");
+        std::vector<Point2d> line;
+        for (const JsonReader& pair : reader.at("stroke").elements()) line.push_back(read_point(pair));
+        tidy_line(line, place, strokes_.repairs);
+        if (line.size() < 2) reader.fail("an open stroke needs at least two points");
+        LineStyle style;
+        style.width = read_positive(reader, "width", huge);
+        style.cap = LineCap::round;
+        style.join = LineJoin::round;
+        return thick_line(line, style);
     }
     // Of the latest part before it that is seen from the same side and holds it.
     void read_hole(const JsonReader& item) {
