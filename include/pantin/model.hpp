@@ -117,8 +117,17 @@ public:
     // RealSkel 4.1, utilities; canvas units, degrees.
     void move_part(const MovePart& move);
     void set_symmetry(const std::string& name, Symmetry symmetry);
+    // The thickness, after the part was drawn. RealSkel 4.1.
+    void set_height(const std::string& name, double height);
+    // The part drawn anew in its place: order, parent, children and moves stay, what was asked of its
+    // branches does not. Own.
+    void redraw_part(const RedrawPart& call);
     // RealSkel 3.3; shares of the model's diagonal.
     void refine(const RefineSkeleton& call);
+    // Takes the last call back that is not taken back already; false when there is none. Own.
+    bool undo();
+    // Those that were played and not taken back.
+    const std::vector<ModelCall>& calls() const { return calls_; }
     // What thresholds make a difference now: shares of the model's diagonal, before refinement. RealSkel 3.3.
     ThresholdRanges ranges() const;
     // Of the box around all outlines; canvas units, 0 without parts.
@@ -144,10 +153,15 @@ private:
     void note_repairs(const std::string& part, const SimplePolygon& outline, int holes_left_out);
     void simplify(Drawn& drawn, int branch, double threshold) const;
     void update();
+    void draw(Drawn& drawn);
+    double pushed_by_layers(const Drawn& drawn);
+    static const Inflation& inflation_of(Drawn& drawn, const InflationOptions& options);
     const Inflation& inflation_of(int part);
 
     Point2d origin_;
-    ModelOptions options_;
+    ModelOptions options_, given_; // as refine() left them, as they were given
+    std::vector<ModelCall> calls_;
+    std::vector<std::shared_ptr<Drawn>> remembered_; // whose outlines may come again
     RefinementOptions global_;
     std::vector<std::shared_ptr<Drawn>> drawn_; // in modelling order
     std::vector<int> drawn_of_;                 // of each part

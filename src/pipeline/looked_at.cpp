@@ -29,7 +29,8 @@ bool is_flat(const Strokes& strokes) {
     return std::all_of(strokes.calls.begin(), strokes.calls.end(), [](const ModelCall& call) {
         const auto* part = std::get_if<PartStroke>(&call);
         return part && part->view == Viewpoint::front && part->depth == 0 &&
-               part->symmetry == Symmetry::none && part->parent.empty() && part->height == 1;
+               part->symmetry == Symmetry::none && part->parent.empty() && part->height == 1 &&
+               part->layer == 0 && part->bones;
     });
 }
 

@@ -165,6 +165,12 @@ void add_attributes(pugi::xml_node node, const std::string& where, Json& part) {
     text("data-parent", "parent");
     number("data-height", "height");
     text("data-label", "label");
+    number("data-layer", "layer");
+    if (part.contains("layer") && part["layer"] == std::floor(part["layer"].get<double>()))
+        part["layer"] = static_cast<long>(part["layer"].get<double>());
+    text("data-bones", "bones");
+    if (part.contains("bones") && (part["bones"] == "true" || part["bones"] == "false"))
+        part["bones"] = part["bones"] == "true";
 }
 
 } // namespace pantin::svg
