@@ -171,6 +171,10 @@ private:
     std::vector<std::string> repairs_;
 };
 
+// What is no mistake but may be none of the drawing's intentions, one line each: parts that meet no other
+// part and parts that lie wholly inside others. mesh: the model's united(). No error. Own.
+std::vector<std::string> oddities_of(const Model& model, const SolidMesh& mesh);
+
 // --- skin weights ------------------------------------------------------------------------------------------
 
 // Bone heat (Baran & Popović 2007, section 4): heat flows over the surface from the bone that is nearest to

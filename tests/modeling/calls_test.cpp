@@ -109,6 +109,7 @@ TEST_CASE("a part of a higher layer lies on the surface of what is below it") {
         pupil.layer = 2 * layer;
         model.add_part(pupil);
         CHECK(layer * model.parts()[2].frame.origin.z > layer * model.parts()[1].frame.origin.z + 4);
+        CHECK(oddities_of(model, model.united()).empty()); // all of it is seen
         PartStroke beside = test::part("beside", test::disc({300, 0}, 20));
         beside.layer = layer;
         model.add_part(beside);
@@ -137,6 +138,18 @@ TEST_CASE("a part without bones moves with what it hangs on") {
     stone.bones = false;
     model.add_part(stone); // hangs on nothing
     CHECK(model.skeleton().joints.back().part == 5);
+}
+
+TEST_CASE("parts that meet nothing and parts that nobody sees are said") {
+    Model model;
+    model.add_part(test::part("car", test::capsule({0, 0}, {100, 0}, 30)));
+    model.add_part(test::part("wheel", test::disc({20, 80}, 10)));
+    model.add_part(test::part("engine", test::disc({20, 0}, 8)));
+    model.add_part(test::part("spare", test::disc({80, 80}, 10)));
+    CHECK(oddities_of(model, model.united()) ==
+          std::vector<std::string>{
+              "2 parts meet no part before them and have skeletons of their own: 'wheel', 'spare'",
+              "1 part lies wholly inside others and is not seen: 'engine'"});
 }
 
 TEST_CASE("calls of a file take back, draw anew and change parts as those of the model do") {
