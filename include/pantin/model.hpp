@@ -18,8 +18,8 @@ namespace pantin {
 // --- inflation (4.1) ---------------------------------------------------------------------------------------
 
 // The squared half thickness over the inside of an outline, for height 1: the solution of Poisson's equation
-// −Δh = 2 with h = 0 on the outline, on linear triangles. So a long strip is round, and a disc of radius r is
-// r/√2 thick on each side.
+// −Δh = 2 (options.load) with h = 0 on the outline, on linear triangles. So a long strip is round, and a disc
+// of radius r is r/√2 thick on each side.
 struct Inflation {
     std::vector<Point2d> points; // canvas
     // Positively oriented: interior on the left where y points down, as on the canvas.
@@ -32,6 +32,7 @@ struct InflationOptions {
     SimplePolygonOptions polygon{300, 0.0006}; // of a model: of surface and skeleton
     double longest_edge = 0.04;                // share of the diagonal; thin parts get shorter ones
     double shortest_edge = 0.002;
+    double load = 2; // right side of Poisson's equation; 1: thinner by √2 (errata 28)
 };
 // stroke: canvas units. Error(input) as simple_polygon(). RealSkel 4.1 (errata 28).
 Inflation inflate(const std::vector<Point2d>& stroke, const InflationOptions& options = {});

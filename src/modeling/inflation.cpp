@@ -14,7 +14,6 @@ namespace pantin {
 namespace {
 
 constexpr double grid_units = 1 << 20; // of the longer side of the outline: all predicates stay exact
-constexpr double load = 2; // −Δh: a strip of half width w has h = w² − x², which is a circle's
 
 // From the canvas to the grid of whole coordinates, and back.
 struct GridFrame {
@@ -113,9 +112,9 @@ void split_chords(Inflation& mesh) {
     }
 }
 
-// Linear elements: stiffness by cotangents, a third of the load of each triangle at its corners; nothing at
-// the border.
-std::vector<double> solve_poisson(const Inflation& mesh) {
+// −Δh = load; with 2 a strip of half width w has h = w² − x², which is a circle's. Linear elements: stiffness
+// by cotangents, a third of the load of each triangle at its corners; nothing at the border.
+std::vector<double> solve_poisson(const Inflation& mesh, double load) {
     std::vector<int> number(mesh.points.size(), -1);
     int unknowns = 0;
     for (std::size_t p = 0; p < mesh.points.size(); ++p)
@@ -176,7 +175,7 @@ Inflation inflate(const PartOutline& polygon, const InflationOptions& options) {
             if (triangulation.neighbours[t][k] < 0)
                 for (const int other : {1, 2}) result.border[triangulation.triangles[t][(k + other) % 3]] = 1;
     split_chords(result);
-    result.squared = solve_poisson(result);
+    result.squared = solve_poisson(result, options.load);
     return result;
 }
 

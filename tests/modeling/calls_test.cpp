@@ -152,6 +152,17 @@ TEST_CASE("parts that meet nothing and parts that nobody sees are said") {
               "1 part lies wholly inside others and is not seen: 'engine'"});
 }
 
+TEST_CASE("a smaller load of Poisson's equation makes a part thinner by its root") {
+    const auto thick = [](double load) {
+        ModelOptions options;
+        options.inflation.load = load;
+        Model model(Point2d{}, options);
+        model.add_part(test::part("p", test::disc({0, 0}, 100)));
+        return thickness(model, 0);
+    };
+    CHECK(thick(1) == Approx(thick(2) / std::sqrt(2.0)));
+}
+
 TEST_CASE("calls of a file take back, draw anew and change parts as those of the model do") {
     const std::string parts = R"({"name": "a", "stroke": [[0, 0], [90, 0], [90, 90]]},
                                  {"name": "b", "stroke": [[50, 0], [70, 0], [70, 200]], "layer": -2, "bones": false})";
