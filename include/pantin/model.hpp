@@ -18,8 +18,8 @@ namespace pantin {
 // --- inflation (4.1) ---------------------------------------------------------------------------------------
 
 // The squared half thickness over the inside of an outline, for height 1: the solution of Poisson's equation
-// −Δh = 2 with h = 0 on the outline, on linear triangles. So a long strip is round, and a disc of radius r is
-// r/√2 thick on each side.
+// −Δh = 2 (options.load) with h = 0 on the outline, on linear triangles. So a long strip is round, and a disc
+// of radius r is r/√2 thick on each side.
 struct Inflation {
     std::vector<Point2d> points; // canvas
     // Positively oriented: interior on the left where y points down, as on the canvas.
@@ -32,11 +32,12 @@ struct InflationOptions {
     SimplePolygonOptions polygon{300, 0.0006}; // of a model: of surface and skeleton
     double longest_edge = 0.04;                // share of the diagonal; thin parts get shorter ones
     double shortest_edge = 0.002;
+    double load = 2; // right side of Poisson's equation; 1: thinner by √2 (errata 28)
 };
 // stroke: canvas units. Error(input) as simple_polygon(). RealSkel 4.1 (errata 28).
 Inflation inflate(const std::vector<Point2d>& stroke, const InflationOptions& options = {});
 // The same within an outline as simple_polygon() gives it: skeleton and surface of a part share one.
-Inflation inflate(const SimplePolygon& outline, const InflationOptions& options = {});
+Inflation inflate(const PartOutline& outline, const InflationOptions& options = {});
 
 // --- surfaces ----------------------------------------------------------------------------------------------
 
@@ -117,8 +118,17 @@ public:
     // RealSkel 4.1, utilities; canvas units, degrees.
     void move_part(const MovePart& move);
     void set_symmetry(const std::string& name, Symmetry symmetry);
+    // The thickness, after the part was drawn. RealSkel 4.1.
+    void set_height(const std::string& name, double height);
+    // The part drawn anew in its place: order, parent, children and moves stay, what was asked of its
+    // branches does not. Own.
+    void redraw_part(const RedrawPart& call);
     // RealSkel 3.3; shares of the model's diagonal.
     void refine(const RefineSkeleton& call);
+    // Takes the last call back that is not taken back already; false when there is none. Own.
+    bool undo();
+    // Those that were played and not taken back.
+    const std::vector<ModelCall>& calls() const { return calls_; }
     // What thresholds make a difference now: shares of the model's diagonal, before refinement. RealSkel 3.3.
     ThresholdRanges ranges() const;
     // Of the box around all outlines; canvas units, 0 without parts.
@@ -141,13 +151,18 @@ private:
     void check_new(const PartStroke& part) const;
     void simplify_all(double whole);
     bool stays_inside(int part, Vec3 from, Vec3 to) const;
-    void note_repairs(const std::string& part, const SimplePolygon& outline);
+    void note_repairs(const std::string& part, const SimplePolygon& outline, int holes_left_out);
     void simplify(Drawn& drawn, int branch, double threshold) const;
     void update();
+    void draw(Drawn& drawn);
+    double pushed_by_layers(const Drawn& drawn);
+    static const Inflation& inflation_of(Drawn& drawn, const InflationOptions& options);
     const Inflation& inflation_of(int part);
 
     Point2d origin_;
-    ModelOptions options_;
+    ModelOptions options_, given_; // as refine() left them, as they were given
+    std::vector<ModelCall> calls_;
+    std::vector<std::shared_ptr<Drawn>> remembered_; // whose outlines may come again
     RefinementOptions global_;
     std::vector<std::shared_ptr<Drawn>> drawn_; // in modelling order
     std::vector<int> drawn_of_;                 // of each part
@@ -156,6 +171,10 @@ private:
     ModelSkeleton skeleton_;
     std::vector<std::string> repairs_;
 };
+
+// What is no mistake but may be none of the drawing's intentions, one line each: parts that meet no other
+// part and parts that lie wholly inside others. mesh: the model's united(). No error. Own.
+std::vector<std::string> oddities_of(const Model& model, const SolidMesh& mesh);
 
 // --- skin weights ------------------------------------------------------------------------------------------
 

@@ -15,6 +15,14 @@
 
 namespace pantin {
 
+// A part's outline as simple_polygon() gives it, with the holes in it.
+struct PartOutline : SimplePolygon {
+    PartOutline() = default;
+    PartOutline(SimplePolygon polygon) : SimplePolygon(std::move(polygon)) {}
+    // Apart from each other and from the border, in any orientation.
+    std::vector<std::vector<Point2d>> holes;
+};
+
 // --- sub-skeleton (3.1) ------------------------------------------------------------------------------------
 
 // An axis with the shape's half widths on both sides at points of equal arc length: the general cylinder of a
@@ -51,7 +59,7 @@ struct SubSkeleton {
         Point2d place;
         double radius = 0; // distance to the outline
     };
-    SimplePolygon outline;
+    PartOutline outline;
     std::vector<Joint> joints;
     std::vector<std::pair<int, int>> bones; // a tree
     // Their joints from an end or a junction to the next one; numbered by the outline alone.
@@ -63,16 +71,16 @@ struct PartAxis {
         int from = 0, to = 0; // joints
         Cylinder cylinder;
     };
-    SimplePolygon outline;
+    PartOutline outline;
     std::vector<SubSkeleton::Joint> joints; // ends and junctions
     std::vector<Branch> branches;
     std::vector<SubSkeleton::Joint> discs; // at all nodes of the straight skeleton: they cover the shape
 };
 // Straight skeleton within an outline as simple_polygon() gives it, what of it is the axis, short edges
 // collapsed; every branch is smoothed by a spline and sliced evenly. What is found on a coarser outline
-// (options.coarsest) and would leave the outline itself is found anew on a finer one. No error.
-// RealSkel 3.1 (errata 23).
-PartAxis part_axis(const SimplePolygon& outline, const SubSkeletonOptions& options = {});
+// (options.coarsest) and would leave the outline itself is found anew on a finer one. Around a hole the axis
+// is cut where it is thinnest. No error. RealSkel 3.1 (errata 23).
+PartAxis part_axis(const PartOutline& outline, const SubSkeletonOptions& options = {});
 // Every branch simplified by BoundedDP, so that its bones stay inside the shape. unit: the length whose
 // shares the thresholds are. No error. RealSkel 3.1.
 SubSkeleton sub_skeleton(const PartAxis& axis, double unit, const SubSkeletonOptions& options = {});

@@ -43,6 +43,11 @@ struct PartStroke {
     double height = 1;               // thickness; a long part of height 1 is round
     Label label = Label::background; // background: from the name
     std::optional<Rgb8> colour;
+    std::vector<std::vector<Point2d>> holes{}; // canvas; each as a stroke, inside it
+    // Of two parts that overlap on one canvas the one of the higher layer is pushed in front of the other,
+    // or the one of the lower, negative layer behind it, by the other's half thickness there.
+    int layer = 0;
+    bool bones = true; // otherwise it moves with the part that it hangs on, as an eye does
     bool operator==(const PartStroke&) const = default;
 };
 
@@ -72,12 +77,25 @@ struct RefineSkeleton {
     std::optional<double> simplify, prune, merge, collapse;
     bool operator==(const RefineSkeleton&) const = default;
 };
+// A part's thickness. Section 4.1.
+struct SetHeight {
+    std::string part;
+    double height = 1; // > 0
+    bool operator==(const SetHeight&) const = default;
+};
+// Another outline for a part that stands.
+struct RedrawPart {
+    std::string part;
+    std::vector<Point2d> stroke;
+    std::vector<std::vector<Point2d>> holes{};
+    bool operator==(const RedrawPart&) const = default;
+};
 struct RemovePart {
     std::string part;
     bool operator==(const RemovePart&) const = default;
 };
-using ModelCall =
-    std::variant<PartStroke, MovePart, SetSymmetry, RefineSkeleton, RemovePart>; // PartStroke: adds the part
+using ModelCall = std::variant<PartStroke, MovePart, SetSymmetry, RefineSkeleton, RemovePart, SetHeight,
+                               RedrawPart>; // PartStroke: adds the part
 
 struct Strokes {
     Point2d origin;

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
+#include "core/disjoint_sets.hpp"
 #include "geometry/extent.hpp"
 
 namespace pantin {
@@ -19,10 +21,35 @@ constexpr double cap = 0.6;        // an arm ends at the disc beyond which its t
 constexpr double least_cap = 0.25; // … or, sharp, so far: share of least_arm
 constexpr double elongated = 1.8;  // a shape so much longer than wide, from corner to corner, has an axis
 
+// The polygon that a skeleton is of; which loop is a hole makes no difference here.
+PartOutline polygon_of(const StraightSkeleton& skeleton) {
+    PartOutline polygon;
+    for (int first = 0; first < std::ssize(skeleton.corners);) {
+        std::vector<Point2d>& loop = first == 0 ? polygon.corners : polygon.holes.emplace_back();
+        int last = first, corner = first;
+        do {
+            loop.push_back(skeleton.corners[corner]);
+            last = std::max(last, corner);
+            corner = skeleton.next[corner];
+        } while (corner != first);
+        first = last + 1;
+    }
+    return polygon;
+}
+
+template <class Do> void for_sides(const PartOutline& outline, const Do& act) {
+    const auto around = [&](const std::vector<Point2d>& loop) {
+        for (std::size_t i = 0; i < loop.size(); ++i) act(loop[i], loop[(i + 1) % loop.size()]);
+    };
+    around(outline.corners);
+    for (const std::vector<Point2d>& hole : outline.holes) around(hole);
+}
+
 class Axis {
 public:
     explicit Axis(const StraightSkeleton& skeleton)
-        : skeleton_(skeleton), border_(static_cast<int>(skeleton.corners.size())),
+        : skeleton_(skeleton), polygon_(polygon_of(skeleton)),
+          border_(static_cast<int>(skeleton.corners.size())),
           small_(least_arm * diagonal_of(skeleton.corners)), neighbours_(skeleton.nodes.size()),
           parent_(skeleton.nodes.size(), -1), first_leaf_(skeleton.nodes.size()),
           end_leaf_(skeleton.nodes.size()), before_(skeleton.corners.size()), kept_(skeleton.nodes.size()) {
@@ -32,7 +59,7 @@ public:
             neighbours_[arc.to].push_back(arc.from);
         }
         for (int n = 0; n < std::ssize(skeleton.nodes); ++n)
-            radius_.push_back(n < border_ ? 0 : radius_at(skeleton.corners, skeleton.nodes[n].place));
+            radius_.push_back(n < border_ ? 0 : radius_at(polygon_, skeleton.nodes[n].place));
     }
 
     AxisTree run() {
@@ -52,8 +79,7 @@ public:
 private:
     Point2d place(int node) const { return skeleton_.nodes[node].place; }
 
-    // Depth first from the widest node; the corners behind a node that point outward are consecutive in
-    // leaves_.
+    // Depth first from the widest node; the tips behind a node are consecutive in leaves_.
     void visit(int root) {
         std::vector<std::pair<int, std::size_t>> path = {{root, 0}};
         order_.push_back(root);
@@ -61,7 +87,7 @@ private:
             auto& [node, next] = path.back();
             if (next == 0) {
                 first_leaf_[node] = static_cast<int>(leaves_.size());
-                if (node < border_ && is_convex(node)) leaves_.push_back(node);
+                if (is_tip(node)) leaves_.push_back(node);
             }
             while (next < neighbours_[node].size() && neighbours_[node][next] == parent_[node]) ++next;
             if (next == neighbours_[node].size()) {
@@ -76,13 +102,15 @@ private:
         }
     }
 
+    // An arm leads to a corner, or to where a cycle was cut.
+    bool is_tip(int node) const { return node < border_ ? is_convex(node) : neighbours_[node].size() == 1; }
     // What a corner that points inward leads to is between arms, never one.
     bool is_convex(int corner) const {
         const int next = skeleton_.next[corner], before = before_[corner];
         return cross(place(corner) - place(before), place(next) - place(corner)) > 0;
     }
 
-    // The corner behind a node that is farthest from p.
+    // The tip behind a node that is farthest from p.
     int farthest(int node, Point2d p) const {
         int best = leaves_[first_leaf_[node]];
         for (int k = first_leaf_[node] + 1; k < end_leaf_[node]; ++k)
@@ -145,7 +173,7 @@ private:
             Point2d inner = place(way[k - 1]);
             for (int step = 0; step < 20; ++step) {
                 const Point2d middle = 0.5 * (inner + end);
-                (is_within(middle, radius_at(skeleton_.corners, middle), tip) ? end : inner) = middle;
+                (is_within(middle, radius_at(polygon_, middle), tip) ? end : inner) = middle;
             }
         }
         std::vector<Point2d> line = behind;
@@ -158,7 +186,7 @@ private:
             tree_.join(before, number_[way[i]]);
             before = number_[way[i]];
         }
-        const double radius = radius_at(skeleton_.corners, end);
+        const double radius = radius_at(polygon_, end);
         if (k <= at) { // the tree's own node moves
             tree_.joints[before] = {end, radius};
         } else {
@@ -168,7 +196,7 @@ private:
 
     // As far on from the end of a line as its disc fits in.
     Point2d pushed_out(const std::vector<Point2d>& line, Point2d end) const {
-        const double radius = radius_at(skeleton_.corners, end);
+        const double radius = radius_at(polygon_, end);
         Point2d back = end;
         for (std::size_t i = line.size(); i-- > 0;) {
             const double step = distance(line[i], back), left = radius - distance(back, end);
@@ -181,7 +209,7 @@ private:
         const double span = distance(back, end);
         if (!(span > 0)) return end;
         const Point2d out = (1 / span) * (end - back);
-        const double free = reach(skeleton_.corners, end, out, 2 * radius) - radius;
+        const double free = reach(polygon_, end, out, 2 * radius) - radius;
         return end + std::max(0.0, free) * out;
     }
 
@@ -217,6 +245,7 @@ private:
     }
 
     const StraightSkeleton& skeleton_;
+    PartOutline polygon_;
     int border_; // nodes before it are corners
     double small_;
     std::vector<std::vector<int>> neighbours_;
@@ -241,38 +270,62 @@ void AxisTree::merge(int kept, int gone, const SubSkeleton::Joint& joint) {
     joints[kept] = joint;
 }
 
-double reach(const std::vector<Point2d>& outline, Point2d p, Point2d direction, double farthest) {
+StraightSkeleton without_cycles(StraightSkeleton skeleton) {
+    std::vector<int> order(skeleton.arcs.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto width = [&](int a) {
+        return skeleton.nodes[skeleton.arcs[a].from].time + skeleton.nodes[skeleton.arcs[a].to].time;
+    };
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return width(a) > width(b); });
+    DisjointSets trees(skeleton.nodes.size());
+    for (const int a : order) {
+        const StraightSkeleton::Arc arc = skeleton.arcs[a];
+        if (trees.find(arc.from) != trees.find(arc.to)) {
+            trees.unite(arc.from, arc.to);
+            continue;
+        }
+        const StraightSkeleton::Node from = skeleton.nodes[arc.from], to = skeleton.nodes[arc.to];
+        const int first = static_cast<int>(skeleton.nodes.size());
+        for (const double t : {0.375, 0.625})
+            skeleton.nodes.push_back(
+                {from.place + t * (to.place - from.place), from.time + t * (to.time - from.time)});
+        skeleton.arcs[a].to = first;
+        skeleton.arcs.push_back({first + 1, arc.to, arc.left, arc.right});
+    }
+    return skeleton;
+}
+
+double reach(const PartOutline& outline, Point2d p, Point2d direction, double farthest) {
     double nearest = farthest;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Point2d a = outline[i], v = outline[(i + 1) % outline.size()] - a;
+    for_sides(outline, [&](Point2d a, Point2d b) {
+        const Point2d v = b - a;
         const double sine = cross(direction, v);
-        if (sine == 0) continue;
+        if (sine == 0) return;
         const double s = cross(a - p, v) / sine, t = cross(a - p, direction) / sine;
         if (s >= 0 && t >= 0 && t <= 1) nearest = std::min(nearest, s);
-    }
+    });
     return nearest;
 }
 
-double radius_at(const std::vector<Point2d>& outline, Point2d p) {
+double radius_at(const PartOutline& outline, Point2d p) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Point2d a = outline[i], v = outline[(i + 1) % outline.size()] - a;
+    for_sides(outline, [&](Point2d a, Point2d b) {
+        const Point2d v = b - a;
         const double t = std::clamp(dot(p - a, v) / std::max(dot(v, v), 1e-300), 0.0, 1.0);
         nearest = std::min(nearest, distance(p, a + t * v));
-    }
+    });
     return nearest;
 }
 
-bool holds(const std::vector<Point2d>& outline, Point2d p) {
+bool holds(const PartOutline& outline, Point2d p) {
     bool inside = false;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Point2d a = outline[i], b = outline[(i + 1) % outline.size()];
+    for_sides(outline, [&](Point2d a, Point2d b) {
         if ((a.y > p.y) != (b.y > p.y) && (cross(b - a, p - a) > 0) == (b.y > a.y)) inside = !inside;
-    }
+    });
     return inside;
 }
 
-bool leaves(const std::vector<Point2d>& outline, Point2d a, Point2d b) {
+bool leaves(const PartOutline& outline, Point2d a, Point2d b) {
     const double span = distance(a, b);
     return span > 0 && reach(outline, a, (1 / span) * (b - a), 2 * span) <= span;
 }

@@ -14,7 +14,6 @@ namespace pantin {
 namespace {
 
 constexpr double grid_units = 1 << 20; // of the longer side of the outline: all predicates stay exact
-constexpr double load = 2; // −Δh: a strip of half width w has h = w² − x², which is a circle's
 
 // From the canvas to the grid of whole coordinates, and back.
 struct GridFrame {
@@ -41,6 +40,23 @@ double perimeter_of(const std::vector<Point2d>& outline) {
     for (std::size_t i = 0; i < outline.size(); ++i)
         sum += distance(outline[i], outline[(i + 1) % outline.size()]);
     return sum;
+}
+
+// Half the width of a long part: area by perimeter, holes counted in both.
+double half_width_of(const PartOutline& outline) {
+    double area = std::abs(area_of(outline.corners)), perimeter = perimeter_of(outline.corners);
+    for (const std::vector<Point2d>& hole : outline.holes) {
+        area -= std::abs(area_of(hole));
+        perimeter += perimeter_of(hole);
+    }
+    return area / perimeter;
+}
+
+std::vector<Point2i> on_grid(const std::vector<Point2d>& line, const GridFrame& grid) {
+    std::vector<Point2i> loop;
+    for (const Point2d& p : line)
+        if (const Point2i q = grid.to_grid(p); loop.empty() || !(q == loop.back())) loop.push_back(q);
+    return loop;
 }
 
 // An edge inside that joins two points of the border would have front and back in one place. The refinement
@@ -96,9 +112,9 @@ void split_chords(Inflation& mesh) {
     }
 }
 
-// Linear elements: stiffness by cotangents, a third of the load of each triangle at its corners; nothing at
-// the border.
-std::vector<double> solve_poisson(const Inflation& mesh) {
+// −Δh = load; with 2 a strip of half width w has h = w² − x², which is a circle's. Linear elements: stiffness
+// by cotangents, a third of the load of each triangle at its corners; nothing at the border.
+std::vector<double> solve_poisson(const Inflation& mesh, double load) {
     std::vector<int> number(mesh.points.size(), -1);
     int unknowns = 0;
     for (std::size_t p = 0; p < mesh.points.size(); ++p)
@@ -136,19 +152,18 @@ Inflation inflate(const std::vector<Point2d>& stroke, const InflationOptions& op
     return inflate(simple_polygon(stroke, options.polygon), options);
 }
 
-Inflation inflate(const SimplePolygon& polygon, const InflationOptions& options) {
+Inflation inflate(const PartOutline& polygon, const InflationOptions& options) {
     const std::vector<Point2d>& outline = polygon.corners;
     const GridFrame grid(outline);
-    std::vector<Point2i> loop;
-    for (const Point2d& p : outline)
-        if (const Point2i q = grid.to_grid(p); loop.empty() || !(q == loop.back())) loop.push_back(q);
+    std::vector<std::vector<Point2i>> loops = {on_grid(outline, grid)};
+    for (const std::vector<Point2d>& hole : polygon.holes) loops.push_back(on_grid(hole, grid));
     const double diagonal = diagonal_of(outline);
     TriangleQuality quality;
-    const double width = std::abs(area_of(outline)) / perimeter_of(outline);
+    const double width = half_width_of(polygon);
     quality.longest_edge =
         grid.scale * std::clamp(1.4 * width, 0.012 * diagonal, options.longest_edge * diagonal);
     quality.shortest_edge = grid.scale * options.shortest_edge * diagonal;
-    const Triangulation triangulation = refined(constrained_delaunay({loop}), quality);
+    const Triangulation triangulation = refined(constrained_delaunay(loops), quality);
 
     Inflation result;
     result.half_width = width;
@@ -160,7 +175,7 @@ Inflation inflate(const SimplePolygon& polygon, const InflationOptions& options)
             if (triangulation.neighbours[t][k] < 0)
                 for (const int other : {1, 2}) result.border[triangulation.triangles[t][(k + other) % 3]] = 1;
     split_chords(result);
-    result.squared = solve_poisson(result);
+    result.squared = solve_poisson(result, options.load);
     return result;
 }
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/plural.hpp"
 #include "geometry/extent.hpp"
 #include "modeling/axis_tree.hpp"
 #include "modeling/frames.hpp"
+#include "modeling/holes.hpp"
 #include "modeling/rooted.hpp"
 #include "pantin/error.hpp"
 #include "pantin/model.hpp"
@@ -27,6 +29,39 @@ void check_range(const std::string& part, const Frame& frame) {
         fail(part, "is too large, too small or too far away");
 }
 
+void check_height(const std::string& part, double height) {
+    if (!(height > 0) || !std::isfinite(height)) fail(part, "its height must be positive");
+}
+
+// The point of the canvas over which a place of the model lies.
+Point2d on_canvas(const Frame& frame, Vec3 p) {
+    const double square = dot(frame.right, frame.right);
+    return {dot(p - frame.origin, frame.right) / square, dot(p - frame.origin, frame.down) / square};
+}
+
+// Of a triangle over some of the canvas' points: how far it is in front of the canvas there at most, or
+// behind it (side −1); 0 where it is over none.
+double depth_above(const SolidMesh& mesh, const std::array<int, 3>& triangle, const Frame& frame,
+                   const std::vector<Point2d>& points, int side) {
+    std::array<Point2d, 3> corners;
+    std::array<double, 3> depths{};
+    for (int k = 0; k < 3; ++k) {
+        const Vec3 p = mesh.vertices[triangle[k]];
+        corners[k] = on_canvas(frame, p);
+        depths[k] = dot(p - frame.origin, frame.out) / dot(frame.out, frame.out);
+    }
+    const double area = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    double farthest = 0;
+    for (const Point2d& p : points) {
+        const double a = cross(corners[1] - p, corners[2] - p) / area,
+                     b = cross(corners[2] - p, corners[0] - p) / area;
+        if (!(a >= 0 && b >= 0 && a + b <= 1)) continue;
+        const double depth = a * depths[0] + b * depths[1] + (1 - a - b) * depths[2];
+        farthest = side * std::max(side * farthest, side * depth);
+    }
+    return farthest;
+}
+
 template <class T> T& own(std::shared_ptr<T>& shared) {
     if (shared.use_count() > 1) shared = std::make_shared<T>(*shared);
     return *shared;
@@ -37,6 +72,28 @@ RefinementOptions with(RefinementOptions options, const RefineSkeleton& asked) {
     options.merge = asked.merge.value_or(options.merge);
     options.collapse = asked.collapse.value_or(options.collapse);
     return options;
+}
+
+// The skeleton in which the joints of parts without bones are one with the joint that they hang on; a part
+// that hangs on nothing keeps its bones.
+JointTree without_boneless(const Connection& connection, const std::vector<ModelPart>& parts) {
+    const JointTree& tree = connection.tree;
+    std::vector<int> kept(tree.joints.size()), number(tree.joints.size(), -1);
+    for (int j = 0; j < std::ssize(kept); ++j) {
+        const int part = tree.joints[j].part;
+        const Attachment& attachment = connection.attachments[part];
+        kept[j] = !parts[part].stroke.bones && attachment.parent >= 0 ? attachment.parent_joint : j;
+    }
+    JointTree result;
+    for (int j = 0; j < std::ssize(kept); ++j) {
+        while (kept[j] != kept[kept[j]]) kept[j] = kept[kept[j]];
+        if (kept[j] != j) continue;
+        number[j] = static_cast<int>(result.joints.size());
+        result.joints.push_back(tree.joints[j]);
+    }
+    for (const auto& [a, b] : tree.bones)
+        if (kept[a] != kept[b]) result.bones.emplace_back(number[kept[a]], number[kept[b]]);
+    return result;
 }
 
 // Discs of the plane in the model: balls between the width in the plane and the thickness.
@@ -57,7 +114,8 @@ struct Model::Drawn {
     Frame frame;                 // after all moves
     SubSkeletonOptions skeleton; // with what refine() asked for
     RefineSkeleton asked;        // for this part; otherwise the model's thresholds hold
-    SimplePolygon outline;       // of skeleton and surface: the stroke without its crossings
+    PartOutline outline;         // of skeleton and surface: the stroke without its crossings
+    int holes_left_out = 0;
     std::shared_ptr<const PartAxis> axis;
     double diagonal = 0, unit = 0; // of the outline; whose shares the thresholds are
     SubSkeleton flat;
@@ -65,7 +123,7 @@ struct Model::Drawn {
 };
 
 Model::Model(Point2d origin, const ModelOptions& options)
-    : origin_(origin), options_(options), global_(options.refinement) {}
+    : origin_(origin), options_(options), given_(options), global_(options.refinement) {}
 
 Model::Model(const Strokes& strokes, const ModelOptions& options) : Model(strokes.origin, options) {
     for (const ModelCall& call : strokes.calls) apply(call);
@@ -79,6 +137,8 @@ void Model::apply(const ModelCall& call) {
         void operator()(const SetSymmetry& c) const { model.set_symmetry(c.part, c.symmetry); }
         void operator()(const RefineSkeleton& c) const { model.refine(c); }
         void operator()(const RemovePart& c) const { model.remove_part(c.part); }
+        void operator()(const SetHeight& c) const { model.set_height(c.part, c.height); }
+        void operator()(const RedrawPart& c) const { model.redraw_part(c); }
     };
     std::visit(Caller{*this}, call);
 }
@@ -98,11 +158,11 @@ void Model::check_new(const PartStroke& part) const {
         has_parent = has_parent || d->stroke.name == part.parent;
     }
     if (!has_parent) fail(part.name, "its parent '" + part.parent + "' does not come before it");
-    if (!(part.height > 0) || !std::isfinite(part.height)) fail(part.name, "its height must be positive");
+    check_height(part.name, part.height);
     if (!std::isfinite(part.depth)) fail(part.name, "its depth is not a number");
 }
 
-void Model::note_repairs(const std::string& part, const SimplePolygon& outline) {
+void Model::note_repairs(const std::string& part, const SimplePolygon& outline, int holes_left_out) {
     const auto note = [&](const std::string& what) { repairs_.push_back("part '" + part + "': " + what); };
     const auto counted = [](int count, const std::string& what) {
         return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
@@ -111,6 +171,46 @@ void Model::note_repairs(const std::string& part, const SimplePolygon& outline) 
         note("the stroke crosses itself, " + counted(outline.joined, "lobe") + " joined by a neck");
     if (outline.cut > 0) note("the stroke crosses itself, " + counted(outline.cut, "loop") + " cut off");
     if (outline.uncrossed > 0) note("the strip crosses itself, its sides were exchanged there");
+    if (holes_left_out > 0)
+        note(count_of(holes_left_out, "hole") + " left out, not inside it or too near to another border");
+}
+
+// Outline and axis of the part's stroke.
+void Model::draw(Drawn& d) {
+    for (const auto& old : remembered_)
+        if (old->stroke.stroke == d.stroke.stroke && old->stroke.holes == d.stroke.holes) {
+            d.outline = old->outline;
+            d.holes_left_out = old->holes_left_out;
+            d.diagonal = old->diagonal;
+            d.axis = old->axis;
+            d.inflation = old->inflation;
+            return;
+        }
+    try {
+        d.outline = simple_polygon(d.stroke.stroke, options_.inflation.polygon);
+        d.holes_left_out = cut_holes(d.outline, d.stroke.holes, options_.inflation.polygon);
+    } catch (const Error& error) {
+        fail(d.stroke.name, error.what());
+    }
+    d.diagonal = diagonal_of(d.outline.corners);
+    d.axis = std::make_shared<PartAxis>(part_axis(d.outline, options_.skeleton));
+}
+
+// How far in front of its depth a part lies for its layer: where the surfaces of lower layers are in front,
+// at corners and joints of the part; behind those of higher layers for a negative one.
+double Model::pushed_by_layers(const Drawn& d) {
+    double push = 0;
+    const int layer = d.stroke.layer, side = layer > 0 ? 1 : -1;
+    std::vector<Point2d> probes = d.outline.corners;
+    for (const SubSkeleton::Joint& joint : d.axis->joints) probes.push_back(joint.place);
+    for (const auto& other : drawn_) {
+        if (layer == 0 || (layer - other->stroke.layer) * side <= 0) continue;
+        const SolidMesh mesh =
+            part_surface(inflation_of(*other, options_.inflation), other->stroke.height, other->frame);
+        for (const auto& triangle : mesh.triangles)
+            push = side * std::max(side * push, side * depth_above(mesh, triangle, d.frame, probes, side));
+    }
+    return push;
 }
 
 void Model::add_part(const PartStroke& part) {
@@ -120,16 +220,39 @@ void Model::add_part(const PartStroke& part) {
     d->frame = frame_of(part.view, origin_, part.depth);
     check_range(part.name, d->frame);
     d->skeleton = options_.skeleton;
-    try {
-        d->outline = simple_polygon(part.stroke, options_.inflation.polygon);
-    } catch (const Error& error) {
-        fail(part.name, error.what());
-    }
-    d->diagonal = diagonal_of(d->outline.corners);
-    d->axis = std::make_shared<PartAxis>(part_axis(d->outline, options_.skeleton));
-    note_repairs(part.name, d->outline);
+    draw(*d);
+    d->frame = frame_of(part.view, origin_, part.depth + pushed_by_layers(*d));
+    note_repairs(part.name, d->outline, d->holes_left_out);
     drawn_.push_back(d);
+    calls_.emplace_back(part);
     update();
+}
+
+void Model::redraw_part(const RedrawPart& call) {
+    const auto d = std::make_shared<Drawn>(drawn(call.part));
+    d->stroke.stroke = call.stroke;
+    d->stroke.holes = call.holes;
+    std::erase_if(d->skeleton.branch_thresholds, [](const auto& of) { return of.first >= 0; });
+    d->unit = 0;
+    d->inflation.reset();
+    draw(*d);
+    std::erase_if(repairs_,
+                  [&](const std::string& line) { return line.starts_with("part '" + call.part + "': "); });
+    note_repairs(call.part, d->outline, d->holes_left_out);
+    for (auto& other : drawn_)
+        if (other->stroke.name == call.part) other = d;
+    calls_.emplace_back(call);
+    update();
+}
+
+bool Model::undo() {
+    if (calls_.empty()) return false;
+    Model before(origin_, given_);
+    before.remembered_ = drawn_;
+    for (std::size_t i = 0; i + 1 < calls_.size(); ++i) before.apply(calls_[i]);
+    before.remembered_.clear();
+    *this = std::move(before);
+    return true;
 }
 
 void Model::remove_part(const std::string& name) {
@@ -137,6 +260,7 @@ void Model::remove_part(const std::string& name) {
     std::erase_if(drawn_, [&](const auto& d) { return d.get() == gone; });
     for (auto& d : drawn_)
         if (d->stroke.parent == name) own(d).stroke.parent.clear();
+    calls_.emplace_back(RemovePart{name});
     update();
 }
 
@@ -149,11 +273,21 @@ void Model::move_part(const MovePart& move) {
     const Frame frame = moved(d.frame, to_model(d.frame, middle_of(d.flat.outline.corners)), move);
     check_range(move.part, frame);
     d.frame = frame;
+    calls_.emplace_back(move);
     update();
 }
 
 void Model::set_symmetry(const std::string& name, Symmetry symmetry) {
     drawn(name).stroke.symmetry = symmetry;
+    calls_.emplace_back(SetSymmetry{name, symmetry});
+    update();
+}
+
+void Model::set_height(const std::string& name, double height) {
+    Drawn& d = drawn(name);
+    check_height(name, height);
+    d.stroke.height = height;
+    calls_.emplace_back(SetHeight{name, height});
     update();
 }
 
@@ -172,6 +306,7 @@ void Model::refine(const RefineSkeleton& call) {
             if (call.simplify) simplify(*d, -1, *call.simplify);
         }
         if (call.simplify) options_.skeleton.branch_thresholds = {{-1, *call.simplify}}; // of parts to come
+        calls_.emplace_back(call);
         return update();
     }
     Drawn& d = drawn(call.part);
@@ -185,6 +320,7 @@ void Model::refine(const RefineSkeleton& call) {
     if (call.prune) d.asked.prune = call.prune;
     if (call.merge) d.asked.merge = call.merge;
     if (call.collapse) d.asked.collapse = call.collapse;
+    calls_.emplace_back(call);
     update();
 }
 
@@ -225,13 +361,9 @@ void Model::simplify_all(double whole) {
 // Whether a bone between two places of a part's plane stays inside its outline.
 bool Model::stays_inside(int part, Vec3 from, Vec3 to) const {
     const Frame& frame = parts_[part].frame;
-    const double square = dot(frame.right, frame.right);
-    const auto on_canvas = [&](Vec3 p) {
-        return Point2d{dot(p - frame.origin, frame.right) / square,
-                       dot(p - frame.origin, frame.down) / square};
-    };
-    const std::vector<Point2d>& outline = parts_[part].flat.outline.corners;
-    return holds(outline, on_canvas(from)) && !leaves(outline, on_canvas(from), on_canvas(to));
+    const PartOutline& outline = parts_[part].flat.outline;
+    const Point2d a = on_canvas(frame, from), b = on_canvas(frame, to);
+    return holds(outline, a) && !leaves(outline, a, b);
 }
 
 // Everything that follows from more than one part.
@@ -270,23 +402,24 @@ void Model::update() {
     connection_ = connect(trees, wishes, balls);
     for (std::size_t p = 0; p < parts_.size(); ++p) parts_[p].parent = connection_.attachments[p].parent;
     const auto inside = [this](int part, Vec3 from, Vec3 to) { return stays_inside(part, from, to); };
-    skeleton_ = rooted(pantin::refine(connection_.tree, limits, inside));
+    skeleton_ = rooted(pantin::refine(without_boneless(connection_, parts_), limits, inside));
 }
 
 ThresholdRanges Model::ranges() const {
-    ThresholdRanges ranges = threshold_ranges(connection_.tree);
+    ThresholdRanges ranges = threshold_ranges(without_boneless(connection_, parts_));
     const double whole = diagonal();
     for (ThresholdRange* range : {&ranges.merge, &ranges.prune, &ranges.collapse})
         if (whole > 0) *range = {range->least / whole, range->most / whole};
     return ranges;
 }
 
+const Inflation& Model::inflation_of(Drawn& drawn, const InflationOptions& options) {
+    if (!drawn.inflation) drawn.inflation = std::make_shared<Inflation>(inflate(drawn.outline, options));
+    return *drawn.inflation;
+}
+
 const Inflation& Model::inflation_of(int part) {
-    Drawn& d = *drawn_[drawn_of_[part]];
-    if (!d.inflation) {
-        d.inflation = std::make_shared<Inflation>(inflate(d.outline, options_.inflation));
-    }
-    return *d.inflation;
+    return inflation_of(*drawn_[drawn_of_[part]], options_.inflation);
 }
 
 SolidMesh Model::surface(int part) {

@@ -8,6 +8,8 @@
 
 #include "core/json.hpp"
 #include "core/json_reader.hpp"
+#include "modeling/svg_outlines.hpp"
+#include "modeling/thick_line.hpp"
 #include "pantin/strokes.hpp"
 
 namespace pantin {
@@ -16,7 +18,7 @@ namespace {
 constexpr double huge = 1e15;
 constexpr double most_degrees = 1e6; // sine and cosine are exact to the last bit up to here
 constexpr double most_scale = 1e6, most_share = 10;
-constexpr long most_branches = 1'000'000;
+constexpr long most_branches = 1'000'000, most_layers = 1000, most_undone = 1'000'000;
 constexpr std::size_t most_points = 200'000, thinned_points = 20'000;
 constexpr std::array<std::string_view, 3> view_names = {"front", "side", "top"};
 constexpr std::array<std::string_view, 4> symmetry_names = {"none", "x", "y", "z"};
@@ -108,15 +110,12 @@ void drop_repeated(std::vector<Point2d>& stroke) {
 }
 
 // `place` names the part.
-void tidy_stroke(std::vector<Point2d>& stroke, const JsonReader& reader, const std::string& place,
-                 std::vector<std::string>& repairs) {
+void tidy_line(std::vector<Point2d>& stroke, const std::string& place, std::vector<std::string>& repairs) {
     const std::size_t given = stroke.size();
     drop_repeated(stroke);
     if (const std::size_t gone = given - stroke.size())
         repairs.push_back(place + ": " + std::to_string(gone) + " repeated point" + (gone == 1 ? "" : "s") +
                           " dropped");
-    // A stroke that ends where it began says once more what holds of every stroke.
-    if (stroke.size() > 1 && stroke.front() == stroke.back()) stroke.pop_back();
     if (const std::size_t many = stroke.size(); many > most_points) {
         for (std::size_t i = 0; i < thinned_points; ++i) stroke[i] = stroke[i * many / thinned_points];
         stroke.resize(thinned_points);
@@ -124,7 +123,22 @@ void tidy_stroke(std::vector<Point2d>& stroke, const JsonReader& reader, const s
         repairs.push_back(place + ": " + std::to_string(many) + " points thinned to " +
                           std::to_string(stroke.size()));
     }
+}
+void tidy_stroke(std::vector<Point2d>& stroke, const JsonReader& reader, const std::string& place,
+                 std::vector<std::string>& repairs) {
+    tidy_line(stroke, place, repairs);
+    // A stroke that ends where it began says once more what holds of every stroke.
+    if (stroke.size() > 1 && stroke.front() == stroke.back()) stroke.pop_back();
     if (!has_three_points(stroke)) reader.fail("a stroke needs at least three points");
+}
+
+// Whether most of the line's points, or of some of them, lie in the stroke.
+bool lies_in(const std::vector<Point2d>& line, const std::vector<Point2d>& stroke) {
+    constexpr std::size_t probes = 64;
+    std::vector<Point2d> some;
+    const std::size_t n = std::min(probes, line.size());
+    for (std::size_t i = 0; i < n; ++i) some.push_back(line[i * line.size() / n]);
+    return share_inside(some, stroke) > 0.5;
 }
 
 class StrokesReader {
@@ -134,7 +148,12 @@ public:
     Strokes read() {
         check_keys(root_, {"origin", "parts", "calls"});
         if (root_.has("parts"))
-            for (const JsonReader& item : root_.at("parts").elements()) read_part(item);
+            for (const JsonReader& item : root_.at("parts").elements()) {
+                if (item.has("hole") && item.at("hole").boolean())
+                    read_hole(item);
+                else
+                    read_part(item);
+            }
         if (root_.has("calls"))
             for (const JsonReader& item : root_.at("calls").elements()) read_call(item);
         if (!first_part_) root_.fail("holds no part");
@@ -146,10 +165,7 @@ public:
     Strokes append_to(Strokes strokes) {
         check_keys(root_, {"calls"});
         strokes_ = std::move(strokes);
-        for (const ModelCall& call : strokes_.calls) {
-            if (const auto* part = std::get_if<PartStroke>(&call)) know(*part);
-            if (const auto* gone = std::get_if<RemovePart>(&call)) parts_.erase(gone->part);
-        }
+        know_all();
         first_part_ = strokes_.origin;
         for (const JsonReader& item : root_.at("calls").elements()) read_call(item);
         return std::move(strokes_);
@@ -169,15 +185,68 @@ private:
         // is in an SVG.
         const std::string place = "part " + in_quotes(part.name);
         const JsonReader reader(item.value(), item.file(), place);
-        check_keys(reader,
-                   {"name", "stroke", "depth", "view", "symmetric", "parent", "height", "label", "colour"});
+        check_keys(reader, {"name", "stroke", "closed", "width", "holes", "hole", "depth", "view",
+                            "symmetric", "parent", "height", "label", "colour", "layer", "bones"});
+        if (reader.has("hole") && reader.at("hole").boolean())
+            reader.fail("a hole stands among `parts`, or in the `holes` of its part");
         if (parts_.contains(part.name)) reader.fail("there are two parts of this name");
-        for (const JsonReader& pair : reader.at("stroke").elements()) part.stroke.push_back(read_point(pair));
-        tidy_stroke(part.stroke, reader, place, strokes_.repairs);
+        read_shape(reader, place, part);
         read_attributes(reader, part);
         if (!first_part_) first_part_ = middle_of(part.stroke);
         know(part);
         strokes_.calls.emplace_back(std::move(part));
+    }
+    // Of a part, or of a call that draws one anew.
+    template <class Shape> void read_shape(const JsonReader& reader, const std::string& place, Shape& shape) {
+        const bool open = reader.has("closed") && !reader.at("closed").boolean();
+        if (!open && reader.has("width")) reader.fail("only an open stroke (`closed`: false) has a width");
+        shape.stroke = open ? read_tube(reader, place) : read_stroke(reader.at("stroke"), reader, place);
+        if (reader.has("holes"))
+            for (const JsonReader& hole : reader.at("holes").elements())
+                shape.holes.push_back(read_stroke(hole, reader, place + ", a hole"));
+    }
+    std::vector<Point2d> read_stroke(const JsonReader& points, const JsonReader& reader,
+                                     const std::string& place) {
+        std::vector<Point2d> stroke;
+        for (const JsonReader& pair : points.elements()) stroke.push_back(read_point(pair));
+        tidy_stroke(stroke, reader, place, strokes_.repairs);
+        return stroke;
+    }
+    // The border of an open stroke of some width, with round ends.
+    std::vector<Point2d> read_tube(const JsonReader& reader, const std::string& place) {
+        if (!reader.has("width")) reader.fail("an open stroke needs a `width`");
+        if (reader.has("holes")) reader.fail("an open stroke has no holes");
+        std::vector<Point2d> line;
+        for (const JsonReader& pair : reader.at("stroke").elements()) line.push_back(read_point(pair));
+        tidy_line(line, place, strokes_.repairs);
+        if (line.size() < 2) reader.fail("an open stroke needs at least two points");
+        LineStyle style;
+        style.width = read_positive(reader, "width", huge);
+        style.cap = LineCap::round;
+        style.join = LineJoin::round;
+        return thick_line(line, style);
+    }
+    // Of the latest part before it that is seen from the same side and holds it.
+    void read_hole(const JsonReader& item) {
+        const std::string place = item.has("name") ? "hole " + in_quotes(item.at("name").text()) : "a hole";
+        const JsonReader reader(item.value(), item.file(), place);
+        check_keys(reader, {"name", "stroke", "hole", "view"});
+        const Viewpoint view = reader.has("view") ? read_view(reader.at("view")) : Viewpoint::front;
+        std::vector<Point2d> stroke = read_stroke(reader.at("stroke"), reader, place);
+        for (auto call = strokes_.calls.rbegin(); call != strokes_.calls.rend(); ++call)
+            if (auto* part = std::get_if<PartStroke>(&*call);
+                part && part->view == view && lies_in(stroke, part->stroke)) {
+                part->holes.push_back(std::move(stroke));
+                return;
+            }
+        reader.fail("lies in no part before it");
+    }
+    void know_all() {
+        parts_.clear();
+        for (const ModelCall& call : strokes_.calls) {
+            if (const auto* part = std::get_if<PartStroke>(&call)) know(*part);
+            if (const auto* gone = std::get_if<RemovePart>(&call)) parts_.erase(gone->part);
+        }
     }
     void know(const PartStroke& part) {
         PartStroke& known = parts_[part.name];
@@ -198,6 +267,9 @@ private:
             if (part.label == Label::background) reader.at("label").fail("must be " + listed_parts());
         }
         if (reader.has("colour")) part.colour = read_colour(reader.at("colour"));
+        if (reader.has("layer"))
+            part.layer = static_cast<int>(reader.at("layer").integer(-most_layers, most_layers));
+        if (reader.has("bones")) part.bones = reader.at("bones").boolean();
     }
     static Point2d middle_of(const std::vector<Point2d>& stroke) {
         Point2d low = stroke.front(), high = low;
@@ -222,6 +294,12 @@ private:
             strokes_.calls.emplace_back(read_refine(reader));
         else if (name == "remove_part")
             read_remove(reader);
+        else if (name == "set_height")
+            strokes_.calls.emplace_back(read_set_height(reader));
+        else if (name == "redraw_part")
+            strokes_.calls.emplace_back(read_redraw(reader));
+        else if (name == "undo")
+            undo(reader);
         else
             item.fail("there is no call " + in_quotes(name));
     }
@@ -255,6 +333,26 @@ private:
         check_keys(reader, {"part", "symmetric"});
         const std::string part = known_part(reader.at("part"));
         return {part, read_symmetry(reader.at("symmetric"), parts_.at(part))};
+    }
+    SetHeight read_set_height(const JsonReader& reader) const {
+        check_keys(reader, {"part", "height"});
+        return {known_part(reader.at("part")), read_positive(reader, "height", huge)};
+    }
+    RedrawPart read_redraw(const JsonReader& item) {
+        RedrawPart redraw;
+        redraw.part = known_part(item.at("part"));
+        const std::string place = "redraw_part of " + in_quotes(redraw.part);
+        const JsonReader reader(item.value(), item.file(), place);
+        check_keys(reader, {"part", "stroke", "closed", "width", "holes"});
+        read_shape(reader, place, redraw);
+        return redraw;
+    }
+    // Parts count as calls; what is taken back leaves no trace.
+    void undo(const JsonReader& reader) {
+        const auto count = static_cast<std::size_t>(reader.integer(1, most_undone));
+        if (count > strokes_.calls.size()) reader.fail("there are not so many calls to take back");
+        strokes_.calls.resize(strokes_.calls.size() - count);
+        know_all();
     }
     RefineSkeleton read_refine(const JsonReader& reader) const {
         check_keys(reader, {"part", "branch", "simplify", "prune", "merge", "collapse"});
@@ -298,11 +396,17 @@ std::string text_of(Rgb8 colour) {
     return text;
 }
 
+Json json_of(const std::vector<Point2d>& line) {
+    Json points = Json::array();
+    for (const Point2d p : line) points.push_back(Json::array({p.x, p.y}));
+    return points;
+}
+
 Json json_of(const PartStroke& part) {
     Json item;
     item["name"] = part.name;
-    item["stroke"] = Json::array();
-    for (const Point2d p : part.stroke) item["stroke"].push_back(Json::array({p.x, p.y}));
+    item["stroke"] = json_of(part.stroke);
+    for (const std::vector<Point2d>& hole : part.holes) item["holes"].push_back(json_of(hole));
     if (part.depth != 0) item["depth"] = part.depth;
     if (part.view != Viewpoint::front)
         item["view"] = std::string(view_names[static_cast<std::size_t>(part.view)]);
@@ -311,6 +415,8 @@ Json json_of(const PartStroke& part) {
     if (part.height != 1) item["height"] = part.height;
     if (part.label != Label::background) item["label"] = std::string(name_of(part.label));
     if (part.colour) item["colour"] = text_of(*part.colour);
+    if (part.layer != 0) item["layer"] = part.layer;
+    if (!part.bones) item["bones"] = false;
     return item;
 }
 
@@ -349,6 +455,19 @@ struct CallWriter {
         if (refine.merge) item["merge"] = *refine.merge;
         if (refine.collapse) item["collapse"] = *refine.collapse;
         return call("refine", item);
+    }
+    Json operator()(const SetHeight& set) const {
+        Json item;
+        item["part"] = set.part;
+        item["height"] = set.height;
+        return call("set_height", item);
+    }
+    Json operator()(const RedrawPart& redraw) const {
+        Json item;
+        item["part"] = redraw.part;
+        item["stroke"] = json_of(redraw.stroke);
+        for (const std::vector<Point2d>& hole : redraw.holes) item["holes"].push_back(json_of(hole));
+        return call("redraw_part", item);
     }
     Json operator()(const RemovePart& remove) const { return call("remove_part", remove.part); }
 };

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "geometry/extent.hpp"
 #include "modeling/axis_tree.hpp"
 #include "modeling/chains.hpp"
+#include "modeling/holes.hpp"
 #include "pantin/geometry.hpp"
 #include "pantin/modeling.hpp"
 #include "pantin/straight_skeleton.hpp"
@@ -17,16 +19,17 @@ namespace {
 constexpr int slices_a_diagonal = 100; // samples along a branch as long as the stroke's diagonal
 constexpr double widest_slice = 2; // of the distance to the border: beyond, a slice runs into another branch
 constexpr double least_edge = 0.005; // of the diagonal: shorter edges are collapsed whatever the mean is
+constexpr double coarse_hole = 0.1;  // of a hole's diagonal: it is simplified so far at most
 constexpr int spline_steps = 8;      // points of the spline between two nodes, before it is sliced evenly
 
-bool leaves(const std::vector<Point2d>& outline, const std::vector<Point2d>& line) {
+bool leaves(const PartOutline& outline, const std::vector<Point2d>& line) {
     for (std::size_t i = 1; i < line.size(); ++i)
         if (leaves(outline, line[i - 1], line[i])) return true;
     return false;
 }
 
 // Whether all of a tree lies inside the border.
-bool lies_inside(const AxisTree& tree, const std::vector<Point2d>& outline) {
+bool lies_inside(const AxisTree& tree, const PartOutline& outline) {
     for (int a = 0; a < std::ssize(tree.joints); ++a) {
         if (!holds(outline, tree.joints[a].place)) return false;
         for (const int b : tree.neighbours[a])
@@ -36,7 +39,7 @@ bool lies_inside(const AxisTree& tree, const std::vector<Point2d>& outline) {
 }
 
 // Whether a joint that takes the place of another one keeps the bones to the other's neighbours inside.
-bool can_take_over(const AxisTree& tree, const std::vector<Point2d>& outline, int kept, int gone) {
+bool can_take_over(const AxisTree& tree, const PartOutline& outline, int kept, int gone) {
     return std::none_of(tree.neighbours[gone].begin(), tree.neighbours[gone].end(), [&](int n) {
         return n != kept && leaves(outline, tree.joints[kept].place, tree.joints[n].place);
     });
@@ -57,39 +60,61 @@ bool is_whole(const StraightSkeleton& skeleton) {
     return true;
 }
 
+std::vector<std::vector<Point2d>> loops_of(const PartOutline& polygon) {
+    std::vector<std::vector<Point2d>> loops = {polygon.corners};
+    loops.insert(loops.end(), polygon.holes.begin(), polygon.holes.end());
+    return loops;
+}
+
 // Of the polygon, or of one whose corners lie a little beside its own, so that few meet in one instant.
-StraightSkeleton whole_skeleton(const std::vector<Point2d>& polygon) {
+StraightSkeleton whole_skeleton(const PartOutline& polygon) {
     constexpr double aside = 1e-6; // of the diagonal
     constexpr int tries = 3, places = 7;
-    StraightSkeleton skeleton = straight_skeleton({polygon});
-    std::vector<Point2d> shaken = polygon;
+    const std::vector<std::vector<Point2d>> loops = loops_of(polygon);
+    StraightSkeleton skeleton = straight_skeleton(loops);
+    const double step = aside * diagonal_of(polygon.corners) / places;
     for (int round = 1; round <= tries && !is_whole(skeleton); ++round) {
-        const double step = aside * diagonal_of(polygon) / places;
-        for (int i = 0; i < std::ssize(shaken); ++i)
-            shaken[i] =
-                polygon[i] + step * Point2d{(i * 3 + round) % places - 3.0, (i * 5 + round) % places - 3.0};
-        skeleton = straight_skeleton({shaken});
+        std::vector<std::vector<Point2d>> shaken = loops;
+        int i = 0;
+        for (std::vector<Point2d>& loop : shaken)
+            for (Point2d& p : loop) {
+                p = p + step * Point2d{(i * 3 + round) % places - 3.0, (i * 5 + round) % places - 3.0};
+                ++i;
+            }
+        skeleton = straight_skeleton(shaken);
     }
-    return skeleton;
+    return polygon.holes.empty() ? skeleton : without_cycles(std::move(skeleton));
+}
+
+// The coarser one's holes may meet its border.
+std::optional<PartOutline> coarser(const PartOutline& outline, double tolerance) {
+    PartOutline polygon;
+    polygon.corners = coarser_polygon(outline.corners, tolerance);
+    for (const std::vector<Point2d>& hole : outline.holes) {
+        polygon.holes.push_back(coarser_polygon(hole, std::min(tolerance, coarse_hole * diagonal_of(hole))));
+        if (!is_apart(polygon, polygon.holes.size() - 1)) return {};
+    }
+    return polygon;
 }
 
 // On a coarser outline, the coarsest whose axis stays inside the outline itself.
 // `nodes`: of that straight skeleton.
-AxisTree axis_inside(const std::vector<Point2d>& outline, const SubSkeletonOptions& options,
+AxisTree axis_inside(const PartOutline& outline, const SubSkeletonOptions& options,
                      std::vector<Point2d>& nodes) {
     constexpr int tries = 6;
-    const auto axis = [&](const std::vector<Point2d>& polygon) {
+    const auto axis = [&](const PartOutline& polygon) {
         const StraightSkeleton skeleton = whole_skeleton(polygon);
         nodes.clear();
         for (std::size_t n = skeleton.corners.size(); n < skeleton.nodes.size(); ++n)
             nodes.push_back(skeleton.nodes[n].place);
         return options.printed_axis ? printed_axis(skeleton) : contributing_axis(skeleton);
     };
-    double tolerance = options.coarsest * diagonal_of(outline);
-    for (int k = 0; k < tries; ++k, tolerance *= 0.5) {
-        AxisTree tree = axis(coarser_polygon(outline, tolerance));
-        if (lies_inside(tree, outline)) return tree;
-    }
+    double tolerance = options.coarsest * diagonal_of(outline.corners);
+    for (int k = 0; k < tries; ++k, tolerance *= 0.5)
+        if (const std::optional<PartOutline> polygon = coarser(outline, tolerance)) {
+            AxisTree tree = axis(*polygon);
+            if (lies_inside(tree, outline)) return tree;
+        }
     return axis(outline);
 }
 
@@ -118,7 +143,7 @@ std::vector<Edge> short_edges(const AxisTree& tree, double share, double least) 
 // Collapses the edges shorter than the share of the mean edge, shortest first. Of two joints the wider one
 // stays where it is, but an end before a joint between two edges; a branch of one edge longer than `least`
 // that ends stays. False when there was none.
-bool collapse_short_edges(AxisTree& tree, const std::vector<Point2d>& outline, double share, double least) {
+bool collapse_short_edges(AxisTree& tree, const PartOutline& outline, double share, double least) {
     std::vector<char> touched(tree.joints.size());
     bool any = false;
     for (const Edge& e : short_edges(tree, share, least)) {
@@ -156,8 +181,7 @@ std::vector<Point2d> spline(const std::vector<Point2d>& points) {
     return line;
 }
 
-Cylinder cylinder_of(const std::vector<Point2d>& outline, const std::vector<Point2d>& branch,
-                     double diagonal) {
+Cylinder cylinder_of(const PartOutline& outline, const std::vector<Point2d>& branch, double diagonal) {
     std::vector<Point2d> line = spline(branch);
     if (leaves(outline, line)) line = branch;
     int count =
@@ -219,8 +243,8 @@ double threshold_of(int branch, const SubSkeletonOptions& options) {
 }
 
 // Algorithm 2: the threshold is lowered while a bone leaves the shape.
-std::vector<int> simplified(const Cylinder& cylinder, const std::vector<Point2d>& outline, double unit,
-                            double wanted, const SubSkeletonOptions& options) {
+std::vector<int> simplified(const Cylinder& cylinder, const PartOutline& outline, double unit, double wanted,
+                            const SubSkeletonOptions& options) {
     std::vector<int> kept(cylinder.axis.size());
     for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = static_cast<int>(i); // inside, whatever comes
     for (double threshold = first_threshold(wanted, options); threshold > options.least_threshold;
@@ -235,11 +259,11 @@ std::vector<int> simplified(const Cylinder& cylinder, const std::vector<Point2d>
 
 } // namespace
 
-PartAxis part_axis(const SimplePolygon& polygon, const SubSkeletonOptions& options) {
+PartAxis part_axis(const PartOutline& polygon, const SubSkeletonOptions& options) {
     PartAxis axis;
     axis.outline = polygon;
-    const std::vector<Point2d>& outline = axis.outline.corners;
-    const double diagonal = diagonal_of(outline);
+    const PartOutline& outline = axis.outline;
+    const double diagonal = diagonal_of(outline.corners);
     std::vector<Point2d> places;
     AxisTree tree = axis_inside(outline, options, places);
     for (const Point2d p : places)
@@ -281,7 +305,7 @@ PartAxis part_axis(const SimplePolygon& polygon, const SubSkeletonOptions& optio
 SubSkeleton sub_skeleton(const PartAxis& axis, double unit, const SubSkeletonOptions& options) {
     SubSkeleton result;
     result.outline = axis.outline;
-    const std::vector<Point2d>& outline = result.outline.corners;
+    const PartOutline& outline = result.outline;
     std::vector<int> number(axis.joints.size(), -1);
     const auto joint = [&](int j) {
         if (number[j] < 0) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "geometry/extent.hpp"
 
@@ -82,6 +83,7 @@ FilledOutlines filled_outlines(const std::vector<Subpath>& subpaths, FillRule ru
         if (has_area(subpaths[i].points)) areas[i] = area_of(subpaths[i].points);
     }
     double largest = 0;
+    std::vector<std::size_t> hollows;
     for (std::size_t i = 0; i < n; ++i) {
         if (areas[i] == 0 && !has_area(subpaths[i].points)) {
             ++result.empty;
@@ -100,12 +102,27 @@ FilledOutlines filled_outlines(const std::vector<Subpath>& subpaths, FillRule ru
         if (inside && !outside) {
             result.parts.push_back(i);
             largest = std::max(largest, std::abs(areas[i]));
+        } else if (inside) {
+            ++result.inner;
         } else {
-            ++(inside ? result.inner : result.holes);
+            hollows.push_back(i);
         }
     }
     result.specks =
         std::erase_if(result.parts, [&](std::size_t i) { return std::abs(areas[i]) < speck * largest; });
+    for (const std::size_t hollow : hollows) {
+        std::optional<std::size_t> around;
+        for (std::size_t k = 0; k < result.parts.size(); ++k) {
+            const std::size_t part = result.parts[k];
+            if (lies_inside(subpaths[hollow].points, subpaths[part].points, boxes[part]) &&
+                (!around || std::abs(areas[part]) < std::abs(areas[result.parts[*around]])))
+                around = k;
+        }
+        if (around && std::abs(areas[hollow]) >= speck * std::abs(areas[result.parts[*around]]))
+            result.holes.emplace_back(hollow, *around);
+        else
+            ++result.specks;
+    }
     return result;
 }
 

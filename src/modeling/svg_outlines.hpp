@@ -2,6 +2,7 @@
 // The subpaths of one filled path as outlines of what is filled and of the holes in it (SVG 2, 13.4.2).
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "modeling/svg_path.hpp"
@@ -11,10 +12,11 @@ namespace pantin {
 enum class FillRule { nonzero, even_odd };
 struct FilledOutlines {
     std::vector<std::size_t> parts; // subpaths that border something filled, in order
-    std::size_t holes = 0;          // that border what is not filled
-    std::size_t inner = 0;          // with something filled on both sides, which nobody sees
-    std::size_t empty = 0;          // without area
-    std::size_t specks = 0;         // parts that are too small beside the largest one
+    // That border what is not filled, each with the place in `parts` of the smallest part around it.
+    std::vector<std::pair<std::size_t, std::size_t>> holes;
+    std::size_t inner = 0;  // with something filled on both sides, which nobody sees
+    std::size_t empty = 0;  // without area
+    std::size_t specks = 0; // parts too small beside the largest one, holes beside their part
 };
 // Each subpath is closed on its own. Of subpaths that cross each other the one counts as inside that has most
 // of its points there. No error. Own, by the fill rules of SVG 2.

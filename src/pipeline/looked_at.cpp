@@ -20,12 +20,20 @@ namespace {
 constexpr double least_trunk = 0.8; // share of the trunk's pieces that the largest one has
 constexpr int view_side = 500;      // pixels of the view in which parts in space are looked at
 
-// Everything in the plane of the canvas, seen from the front, as any drawing is.
+bool has_holes(const Strokes& strokes) {
+    const auto parts = parts_of(strokes);
+    return std::any_of(parts.begin(), parts.end(), [](const PartStroke* p) { return !p->holes.empty(); });
+}
+
+// Everything in the plane of the canvas, seen from the front, as any drawing is. Holes that were asked for
+// would be lost in what the network cuts.
 bool is_flat(const Strokes& strokes) {
+    if (strokes.painting.empty() && has_holes(strokes)) return false;
     return std::all_of(strokes.calls.begin(), strokes.calls.end(), [](const ModelCall& call) {
         const auto* part = std::get_if<PartStroke>(&call);
         return part && part->view == Viewpoint::front && part->depth == 0 &&
-               part->symmetry == Symmetry::none && part->parent.empty() && part->height == 1;
+               part->symmetry == Symmetry::none && part->parent.empty() && part->height == 1 &&
+               part->layer == 0 && part->bones;
     });
 }
 
@@ -154,6 +162,7 @@ LabelledStrokes labelled_by_look(const Strokes& strokes, const std::string& name
     }
     result.strokes.repairs = strokes.repairs;
     result.strokes.repairs.emplace_back("no names tell the parts: cut out of the whole by the part network");
+    if (has_holes(strokes)) result.strokes.repairs.emplace_back("holes are filled: the cut parts have none");
     result.picture = std::move(look.picture);
     return result;
 }

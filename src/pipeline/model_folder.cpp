@@ -130,6 +130,8 @@ void model_folder(const fs::path& input, const fs::path& out, const fs::path& ca
         for (const std::string& repair : source.strokes.repairs)
             settings.notice(input.string() + ": " + repair);
         for (const std::string& repair : model.repairs()) settings.notice(input.string() + ": " + repair);
+        for (const std::string& line : oddities_of(model, mesh))
+            settings.notice(input.string() + ": " + line);
     }
     progress("files", 0.9);
     create_folder(out);

@@ -149,6 +149,7 @@ template <class Visitor> void visit_modeling(ModelOptions& o, Visitor& visit) {
     visit("modeling.collapse", o.refinement.collapse, 0, 10);
     visit("modeling.least_bone", o.refinement.least_bone, 0, 1);
     visit("modeling.longest_edge", o.inflation.longest_edge, 0.005, 1.0);
+    visit("modeling.poisson_load", o.inflation.load, 0.01, 100.0);
 }
 
 template <class Visitor> void visit_rigging(RigOptions& o, Visitor& visit) {

@@ -259,17 +259,24 @@ private:
         for (GatheredShape& shape : shapes_) shape.label = Label::background;
     }
 
+    static Json points_of(const std::vector<Point2d>& line) {
+        Json points = Json::array();
+        for (const Point2d p : line) points.push_back(Json::array({p.x, p.y}));
+        return points;
+    }
     void add_parts(const GatheredShape& shape, Json& parts) {
         const std::string asked = shape.name.empty() ? "" : shape.name;
-        for (const std::vector<Point2d>& outline : shape.outlines) {
+        for (std::size_t i = 0; i < shape.outlines.size(); ++i) {
             Json part;
-            part["name"] = own_name(asked.empty() ? "part-" + std::to_string(++parts_) : (++parts_, asked),
-                                    &outline != &shape.outlines.front());
+            part["name"] =
+                own_name(asked.empty() ? "part-" + std::to_string(++parts_) : (++parts_, asked), i > 0);
             const std::string place = "part '" + part["name"].get<std::string>() + "'";
-            if (&outline == &shape.outlines.front())
+            if (i == 0)
                 for (const std::string& note : shape.notes) repairs_.push_back(place + ": " + note);
-            part["stroke"] = Json::array();
-            for (const Point2d p : outline) part["stroke"].push_back(Json::array({p.x, p.y}));
+            part["stroke"] = points_of(shape.outlines[i]);
+            if (i < shape.holes.size())
+                for (const std::vector<Point2d>& hole : shape.holes[i])
+                    part["holes"].push_back(points_of(hole));
             if (known_label(asked) == Label::background && shape.label != Label::background)
                 part["label"] = name_of(shape.label);
             for (const auto& [key, value] : shape.attributes.items()) part[key] = value;

@@ -13,11 +13,12 @@
 namespace pantin::svg {
 
 struct GatheredShape {
-    std::string element;                        // "path 'tail'", for messages
-    std::string name;                           // asked for; empty: none
-    Label label = Label::background;            // that a class or a group around it tells
-    Json attributes = Json::object();           // keys of strokes.json
-    std::vector<std::vector<Point2d>> outlines; // of its parts, canvas
+    std::string element;                                  // "path 'tail'", for messages
+    std::string name;                                     // asked for; empty: none
+    Label label = Label::background;                      // that a class or a group around it tells
+    Json attributes = Json::object();                     // keys of strokes.json
+    std::vector<std::vector<Point2d>> outlines;           // of its parts, canvas
+    std::vector<std::vector<std::vector<Point2d>>> holes; // of each outline of a filled shape
     bool filled = false;
     bool open = false;                 // an outline was closed
     std::optional<std::string> colour; // "#rrggbb"

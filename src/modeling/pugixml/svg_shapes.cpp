@@ -78,10 +78,11 @@ void add_filled(GatheredShape& shape, const std::vector<Subpath>& subpaths, cons
     if (found.parts.empty()) return;
     shape.filled = true;
     for (const std::size_t i : found.parts) shape.outlines.push_back(subpaths[i].points);
+    shape.holes.resize(shape.outlines.size());
+    for (const auto& [hole, part] : found.holes) shape.holes[part].push_back(subpaths[hole].points);
     const auto note = [&](std::size_t count, const char* what, const char* why) {
         if (count > 0) shape.notes.push_back(count_of(static_cast<long>(count), what) + " " + why);
     };
-    note(found.holes, "hole", "left out, a part has none");
     note(found.specks, "outline", "left out, too small beside the others");
     if (std::any_of(found.parts.begin(), found.parts.end(),
                     [&](std::size_t i) { return !subpaths[i].closed; }))
@@ -164,6 +165,12 @@ void add_attributes(pugi::xml_node node, const std::string& where, Json& part) {
     text("data-parent", "parent");
     number("data-height", "height");
     text("data-label", "label");
+    number("data-layer", "layer");
+    if (part.contains("layer") && part["layer"] == std::floor(part["layer"].get<double>()))
+        part["layer"] = static_cast<long>(part["layer"].get<double>());
+    text("data-bones", "bones");
+    if (part.contains("bones") && (part["bones"] == "true" || part["bones"] == "false"))
+        part["bones"] = part["bones"] == "true";
 }
 
 } // namespace pantin::svg
