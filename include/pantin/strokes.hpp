@@ -69,8 +69,8 @@ struct SetSymmetry {
     bool operator==(const SetSymmetry&) const = default;
 };
 // Section 3.3. Without a part: the whole model; with a part and a branch ≥ 0: that branch alone, which knows
-// `simplify` only. What is not given stays. Shares of the part's diagonal (the diagonal of its stroke's
-// bounding box).
+// `simplify` only. What is not given stays. Shares of the model's diagonal
+// (with `per_part` of the part's: of its stroke's bounding box).
 struct RefineSkeleton {
     std::string part;
     int branch = -1;
