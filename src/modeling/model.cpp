@@ -164,12 +164,9 @@ void Model::check_new(const PartStroke& part) const {
 
 void Model::note_repairs(const std::string& part, const SimplePolygon& outline, int holes_left_out) {
     const auto note = [&](const std::string& what) { repairs_.push_back("part '" + part + "': " + what); };
-    const auto counted = [](int count, const std::string& what) {
-        return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-    };
     if (outline.joined > 0)
-        note("the stroke crosses itself, " + counted(outline.joined, "lobe") + " joined by a neck");
-    if (outline.cut > 0) note("the stroke crosses itself, " + counted(outline.cut, "loop") + " cut off");
+        note("the stroke crosses itself, " + count_of(outline.joined, "lobe") + " joined by a neck");
+    if (outline.cut > 0) note("the stroke crosses itself, " + count_of(outline.cut, "loop") + " cut off");
     if (outline.uncrossed > 0) note("the strip crosses itself, its sides were exchanged there");
     if (holes_left_out > 0)
         note(count_of(holes_left_out, "hole") + " left out, not inside it or too near to another border");

@@ -2,9 +2,9 @@
 // Ma et al. 2021, section 3.1: straight skeleton of a part, cleaned and simplified.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
+#include "core/disjoint_sets.hpp"
 #include "geometry/extent.hpp"
 #include "modeling/axis_tree.hpp"
 #include "modeling/chains.hpp"
@@ -48,15 +48,10 @@ bool can_take_over(const AxisTree& tree, const PartOutline& outline, int kept, i
 // Whether every corner hangs together with the others. Where many corners meet in one instant, as in an exact
 // cross, the straight skeleton can fall apart.
 bool is_whole(const StraightSkeleton& skeleton) {
-    std::vector<int> group(skeleton.nodes.size());
-    std::iota(group.begin(), group.end(), 0);
-    const auto root = [&](int n) {
-        while (group[n] != n) n = group[n] = group[group[n]];
-        return n;
-    };
-    for (const StraightSkeleton::Arc& arc : skeleton.arcs) group[root(arc.from)] = root(arc.to);
+    DisjointSets sets(skeleton.nodes.size());
+    for (const StraightSkeleton::Arc& arc : skeleton.arcs) sets.unite(arc.from, arc.to);
     for (int c = 1; c < std::ssize(skeleton.corners); ++c)
-        if (root(c) != root(0)) return false;
+        if (sets.find(c) != sets.find(0)) return false;
     return true;
 }
 
@@ -97,8 +92,8 @@ std::optional<PartOutline> coarser(const PartOutline& outline, double tolerance)
     return polygon;
 }
 
-// On a coarser outline, the coarsest whose axis stays inside the outline itself.
-// `nodes`: of that straight skeleton.
+// On a coarser outline, the coarsest whose axis stays inside the outline itself. `nodes`: of that straight
+// skeleton.
 AxisTree axis_inside(const PartOutline& outline, const SubSkeletonOptions& options,
                      std::vector<Point2d>& nodes) {
     constexpr int tries = 6;

@@ -93,10 +93,6 @@ Strokes labelled_in_view(Strokes strokes, Context& context) {
     return strokes;
 }
 
-} // namespace
-
-namespace {
-
 // A cut that makes scraps of the trunk is no way to see parts in the drawing (a heart, a plain square).
 bool holds_together(const Strokes& cut) {
     double largest = 0, all = 0;
